@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderRunner() { return 0; } }

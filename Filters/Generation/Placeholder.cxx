@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderFiltersGeneration() { return 0; } }

@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderFiltersGeometry() { return 0; } }

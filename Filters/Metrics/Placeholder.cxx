@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderFiltersMetrics() { return 0; } }

@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderFiltersSolvers() { return 0; } }

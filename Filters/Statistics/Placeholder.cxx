@@ -1,0 +1,1 @@
+namespace pemesh { int PlaceholderFiltersStatistics() { return 0; } }

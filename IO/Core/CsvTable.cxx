@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CsvTable.h"
+
+#include "NumberText.h"
+#include "TextFile.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+namespace pemesh
+{
+
+namespace
+{
+
+void AppendField(std::string& text, const std::string& field)
+{
+  if (field.find_first_of(",\"\r\n") == std::string::npos)
+  {
+    text += field;
+    return;
+  }
+  text += '"';
+  for (const char c : field)
+  {
+    text += c;
+    if (c == '"')
+    {
+      text += '"';
+    }
+  }
+  text += '"';
+}
+
+void AppendValue(std::string& text, vtkAbstractArray* column, vtkIdType row)
+{
+  if (auto* strings = vtkStringArray::SafeDownCast(column))
+  {
+    AppendField(text, strings->GetValue(row));
+    return;
+  }
+  auto* numbers = vtkDataArray::SafeDownCast(column);
+  if (!numbers)
+  {
+    AppendField(text, column->GetVariantValue(row).ToString());
+  }
+  else if (numbers->GetDataType() == VTK_DOUBLE || numbers->GetDataType() == VTK_FLOAT)
+  {
+    AppendNumber(text, numbers->GetComponent(row, 0));
+  }
+  else
+  {
+    AppendNumber(text, static_cast<long long>(numbers->GetVariantValue(row).ToLongLong()));
+  }
+}
+
+/** Splits CSV text into records, one at a time, counting lines for error messages. */
+class RecordReader
+{
+public:
+  RecordReader(std::string_view text, const std::string& source)
+    : Text(text)
+    , Source(source)
+  {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (this->Text.substr(0, 3) == byteOrderMark)
+    {
+      this->Position = 3;
+    }
+  }
+
+  /** False at the end. Empty lines are skipped. */
+  bool Next(std::vector<std::string>& fields)
+  {
+    while (this->Position < this->Text.size() &&
+      (this->Text[this->Position] == '\n' || this->Text[this->Position] == '\r'))
+    {
+      this->Line += this->Text[this->Position] == '\n' ? 1 : 0;
+      ++this->Position;
+    }
+    fields.clear();
+    if (this->Position >= this->Text.size())
+    {
+      return false;
+    }
+    this->RecordLine = this->Line;
+    do
+    {
+      fields.push_back(this->Field());
+    } while (this->TakeIf(','));
+    this->TakeIf('\r');
+    if (this->Position < this->Text.size() && !this->TakeIf('\n'))
+    {
+      this->Fail("has text after a closing quote");
+    }
+    ++this->Line;
+    return true;
+  }
+
+  [[noreturn]] void Fail(const std::string& what) const
+  {
+    throw std::runtime_error(
+      "\"" + this->Source + "\", line " + std::to_string(this->RecordLine) + ", " + what + ".");
+  }
+
+private:
+  bool TakeIf(char c)
+  {
+    if (this->Position < this->Text.size() && this->Text[this->Position] == c)
+    {
+      ++this->Position;
+      return true;
+    }
+    return false;
+  }
+
+  std::string Field()
+  {
+    std::string field;
+    if (!this->TakeIf('"'))
+    {
+      const std::size_t end = std::min(
+        this->Text.find_first_of(",\r\n", this->Position), this->Text.size());
+      field = this->Text.substr(this->Position, end - this->Position);
+      this->Position = end;
+      return field;
+    }
+    while (this->Position < this->Text.size())
+    {
+      const char c = this->Text[this->Position++];
+      if (c == '"' && !this->TakeIf('"'))
+      {
+        return field;
+      }
+      this->Line += c == '\n' ? 1 : 0;
+      field += c;
+    }
+    this->Fail("opens a quote that is never closed");
+  }
+
+  std::string_view Text;
+  const std::string& Source;
+  std::size_t Position = 0;
+  std::size_t Line = 1;
+  std::size_t RecordLine = 1;
+};
+
+vtkSmartPointer<vtkAbstractArray> MakeColumn(const std::vector<std::string>& values)
+{
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  auto integers = vtkSmartPointer<vtkIdTypeArray>::New();
+  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
+  bool allIntegers = !values.empty();
+  bool allNumbers = !values.empty();
+  for (const std::string& value : values)
+  {
+    const auto integer = ParseInteger(value);
+    const auto number = value.empty() ? std::optional(missing) : ParseNumber(value);
+    allIntegers = allIntegers && integer;
+    allNumbers = allNumbers && number;
+    integers->InsertNextValue(static_cast<vtkIdType>(integer.value_or(0)));
+    numbers->InsertNextValue(number.value_or(missing));
+  }
+  if (allIntegers)
+  {
+    return integers;
+  }
+  if (allNumbers)
+  {
+    return numbers;
+  }
+  auto strings = vtkSmartPointer<vtkStringArray>::New();
+  for (const std::string& value : values)
+  {
+    strings->InsertNextValue(value);
+  }
+  return strings;
+}
+
+} // namespace
+
+std::string FormatCsv(vtkTable* table)
+{
+  std::string text;
+  const vtkIdType columns = table->GetNumberOfColumns();
+  for (vtkIdType column = 0; column < columns; ++column)
+  {
+    text += column > 0 ? "," : "";
+    AppendField(text, table->GetColumnName(column));
+  }
+  text += '\n';
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    for (vtkIdType column = 0; column < columns; ++column)
+    {
+      text += column > 0 ? "," : "";
+      AppendValue(text, table->GetColumn(column), row);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+vtkSmartPointer<vtkTable> ParseCsv(std::string_view text, const std::string& source)
+{
+  RecordReader reader(text, source);
+  std::vector<std::string> names;
+  if (!reader.Next(names))
+  {
+    throw std::runtime_error("\"" + source + "\" is empty: a header line with names is expected.");
+  }
+  std::set<std::string> seen;
+  for (const std::string& name : names)
+  {
+    if (!seen.insert(name).second)
+    {
+      reader.Fail("names the column \"" + name + "\" twice");
+    }
+  }
+  std::vector<std::vector<std::string>> columns(names.size());
+  std::vector<std::string> fields;
+  while (reader.Next(fields))
+  {
+    if (fields.size() != names.size())
+    {
+      reader.Fail("has " + std::to_string(fields.size()) + " fields where the header has " +
+        std::to_string(names.size()));
+    }
+    for (std::size_t i = 0; i < fields.size(); ++i)
+    {
+      columns[i].push_back(std::move(fields[i]));
+    }
+  }
+  auto table = vtkSmartPointer<vtkTable>::New();
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    auto column = MakeColumn(columns[i]);
+    column->SetName(names[i].c_str());
+    table->AddColumn(column);
+  }
+  return table;
+}
+
+void WriteCsvFile(const std::filesystem::path& path, vtkTable* table)
+{
+  WriteTextFile(path, FormatCsv(table));
+}
+
+vtkSmartPointer<vtkTable> ReadCsvFile(const std::filesystem::path& path)
+{
+  return ParseCsv(ReadTextFile(path), path.string());
+}
+
+} // namespace pemesh

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Files read and written whole. All functions throw std::runtime_error with one sentence that
+ * names the file.
+ */
+#ifndef pemesh_TextFile_h
+#define pemesh_TextFile_h
+
+#include "pemeshIOCoreModule.h" // For export macro
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace pemesh
+{
+
+PEMESHIOCORE_EXPORT std::string ReadTextFile(const std::filesystem::path& path);
+
+/**
+ * Writes under a temporary name in the same folder, then renames: a reader sees the old file or
+ * the new one, never a part. The folder is made if missing.
+ */
+PEMESHIOCORE_EXPORT void WriteTextFile(
+  const std::filesystem::path& path, std::string_view contents);
+
+} // namespace pemesh
+
+#endif
