@@ -97,8 +97,9 @@ public:
     {
       fields.push_back(this->Field());
     } while (this->TakeIf(','));
-    this->TakeIf('\r');
-    if (this->Position < this->Text.size() && !this->TakeIf('\n'))
+    const bool carriageReturn = this->TakeIf('\r');
+    const bool lineFeed = this->TakeIf('\n');
+    if (!carriageReturn && !lineFeed && this->Position < this->Text.size())
     {
       this->Fail("has text after a closing quote");
     }
@@ -128,8 +129,8 @@ private:
     std::string field;
     if (!this->TakeIf('"'))
     {
-      const std::size_t end = std::min(
-        this->Text.find_first_of(",\r\n", this->Position), this->Text.size());
+      const std::size_t end =
+        std::min(this->Text.find_first_of(",\r\n", this->Position), this->Text.size());
       field = this->Text.substr(this->Position, end - this->Position);
       this->Position = end;
       return field;
@@ -154,27 +155,35 @@ private:
   std::size_t RecordLine = 1;
 };
 
+/** Whether digits are a name and no number: "007" would come back as 7. */
+bool IsCode(std::string_view text)
+{
+  return text.size() > 1 && text[0] == '0' && text[1] >= '0' && text[1] <= '9';
+}
+
 vtkSmartPointer<vtkAbstractArray> MakeColumn(const std::vector<std::string>& values)
 {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
   auto integers = vtkSmartPointer<vtkIdTypeArray>::New();
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
   bool allIntegers = !values.empty();
-  bool allNumbers = !values.empty();
+  bool allNumbers = true;
+  bool anyNumber = false; // a column of nothing is text
   for (const std::string& value : values)
   {
     const auto integer = ParseInteger(value);
-    const auto number = value.empty() ? std::optional(missing) : ParseNumber(value);
-    allIntegers = allIntegers && integer;
-    allNumbers = allNumbers && number;
+    const auto number = IsCode(value) ? std::nullopt : ParseNumber(value);
+    allIntegers = allIntegers && integer && value != "-0"; // minus zero is a double only
+    allNumbers = allNumbers && (number || value.empty());
+    anyNumber = anyNumber || number;
     integers->InsertNextValue(static_cast<vtkIdType>(integer.value_or(0)));
     numbers->InsertNextValue(number.value_or(missing));
   }
-  if (allIntegers)
+  if (allIntegers && allNumbers)
   {
     return integers;
   }
-  if (allNumbers)
+  if (allNumbers && anyNumber)
   {
     return numbers;
   }
@@ -192,12 +201,21 @@ std::string FormatCsv(vtkTable* table)
 {
   std::string text;
   const vtkIdType columns = table->GetNumberOfColumns();
+  const auto endRecord = [&]
+  {
+    if (columns == 1 && (text.empty() || text.back() == '\n')) // a blank line is no record
+    {
+      text += "\"\"";
+    }
+    text += '\n';
+  };
   for (vtkIdType column = 0; column < columns; ++column)
   {
     text += column > 0 ? "," : "";
-    AppendField(text, table->GetColumnName(column));
+    const char* name = table->GetColumnName(column);
+    AppendField(text, name ? name : "");
   }
-  text += '\n';
+  endRecord();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     for (vtkIdType column = 0; column < columns; ++column)
@@ -205,7 +223,7 @@ std::string FormatCsv(vtkTable* table)
       text += column > 0 ? "," : "";
       AppendValue(text, table->GetColumn(column), row);
     }
-    text += '\n';
+    endRecord();
   }
   return text;
 }

@@ -24,7 +24,8 @@ PEMESHIOCORE_EXPORT std::string FormatCsv(vtkTable* table);
 
 /**
  * Columns whose values are all integers become vtkIdTypeArray, all numbers (an empty field is
- * NaN) vtkDoubleArray, others vtkStringArray. Throws std::runtime_error naming `source` and the
+ * NaN) vtkDoubleArray, others vtkStringArray; digits with a leading zero, and columns that are
+ * empty from top to bottom, are texts. Throws std::runtime_error naming `source` and the
  * line of the first malformed record: wrong number of fields, a quote not closed, a repeated
  * column name.
  */

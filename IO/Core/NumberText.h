@@ -23,7 +23,8 @@ PEMESHIOCORE_EXPORT void AppendNumber(std::string& text, double value);
 PEMESHIOCORE_EXPORT void AppendNumber(std::string& text, long long value);
 
 ///@{
-/** The whole of `text` (blanks around it aside) as a number, or nothing. "nan" and "inf" are numbers. */
+/** The whole of `text` (blanks around it aside) as a number, or nothing. "nan" and "inf" are
+ * numbers. */
 PEMESHIOCORE_EXPORT std::optional<double> ParseNumber(std::string_view text);
 PEMESHIOCORE_EXPORT std::optional<long long> ParseInteger(std::string_view text);
 ///@}

@@ -2,80 +2,144 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextFile.h"
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
 
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace pemesh
 {
 
-std::string ReadTextFile(const std::filesystem::path& path)
+namespace
 {
-  if (std::filesystem::is_directory(path))
+
+[[noreturn]] void Fail(const char* verb, const std::filesystem::path& path, const std::string& why)
+{
+  throw std::runtime_error(
+    std::string("Cannot ") + verb + " \"" + path.string() + "\": " + why + ".");
+}
+
+/** Closes a file on every way out. */
+class FileDescriptor
+{
+public:
+  explicit FileDescriptor(int descriptor)
+    : Descriptor(descriptor)
+  {
+  }
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor()
+  {
+    if (this->Descriptor >= 0)
+    {
+      close(this->Descriptor);
+    }
+  }
+  int Get() const { return this->Descriptor; }
+
+private:
+  int Descriptor;
+};
+
+} // namespace
+
+std::string ReadTextFile(const std::filesystem::path& path, std::size_t most)
+{
+  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  struct stat status = {};
+  if (file.Get() < 0 || fstat(file.Get(), &status) != 0)
+  {
+    Fail("read", path, std::strerror(errno));
+  }
+  if (S_ISDIR(status.st_mode))
   {
     throw std::runtime_error("\"" + path.string() + "\" is a folder, not a file.");
   }
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream)
-  {
-    throw std::runtime_error(
-      "Cannot read \"" + path.string() + "\": " + std::strerror(errno) + ".");
-  }
+  // The size is a hint: a pipe has none, and a file may grow or shrink while it is read.
+  constexpr std::size_t leastRoom = 4096;
   std::string contents;
-  std::error_code unknown;
-  const auto size = std::filesystem::file_size(path, unknown);
-  if (!unknown)
+  contents.resize(std::min(most, static_cast<std::size_t>(status.st_size) + 1));
+  std::size_t size = 0;
+  while (size < most)
   {
-    contents.resize(size);
-    stream.read(contents.data(), static_cast<std::streamsize>(size));
-    contents.resize(static_cast<std::size_t>(stream.gcount()));
+    if (size == contents.size())
+    {
+      contents.resize(std::min(most, std::max(leastRoom, 2 * size)));
+    }
+    const ssize_t got = read(file.Get(), contents.data() + size, contents.size() - size);
+    if (got < 0 && errno == EINTR)
+    {
+      continue;
+    }
+    if (got < 0)
+    {
+      Fail("read", path, std::strerror(errno));
+    }
+    if (got == 0)
+    {
+      break;
+    }
+    size += static_cast<std::size_t>(got);
   }
-  else // a pipe, say
-  {
-    contents.assign(std::istreambuf_iterator<char>(stream), {});
-  }
+  contents.resize(size);
   return contents;
 }
 
-void WriteTextFile(const std::filesystem::path& path, std::string_view contents)
+void WriteFileSafely(const std::filesystem::path& path,
+  const std::function<void(const std::filesystem::path& temporary)>& write)
 {
   static std::atomic<unsigned> counter{ 0 };
+  std::error_code error;
   if (path.has_parent_path())
   {
-    std::error_code error;
     std::filesystem::create_directories(path.parent_path(), error);
     if (error)
     {
-      throw std::runtime_error("Cannot make the folder \"" + path.parent_path().string() +
-        "\": " + error.message() + ".");
+      throw std::runtime_error(
+        "Cannot make the folder \"" + path.parent_path().string() + "\": " + error.message() + ".");
     }
   }
   std::filesystem::path temporary = path;
   temporary += ".part" + std::to_string(getpid()) + "-" + std::to_string(counter++);
+  std::error_code ignored;
+  try
   {
-    std::ofstream stream(temporary, std::ios::binary);
-    stream.write(contents.data(), static_cast<std::streamsize>(contents.size()));
-    stream.close();
-    if (!stream)
-    {
-      const std::string reason = std::strerror(errno);
-      std::error_code ignored;
-      std::filesystem::remove(temporary, ignored);
-      throw std::runtime_error("Cannot write \"" + path.string() + "\": " + reason + ".");
-    }
+    write(temporary);
   }
-  std::error_code error;
+  catch (...)
+  {
+    std::filesystem::remove(temporary, ignored);
+    throw;
+  }
   std::filesystem::rename(temporary, path, error);
   if (error)
   {
-    std::error_code ignored;
     std::filesystem::remove(temporary, ignored);
-    throw std::runtime_error("Cannot write \"" + path.string() + "\": " + error.message() + ".");
+    Fail("write", path, error.message());
   }
+}
+
+void WriteTextFile(const std::filesystem::path& path, std::string_view contents)
+{
+  WriteFileSafely(path,
+    [&](const std::filesystem::path& temporary)
+    {
+      errno = 0;
+      std::ofstream stream(temporary, std::ios::binary);
+      stream.write(contents.data(), static_cast<std::streamsize>(contents.size()));
+      stream.close();
+      if (!stream)
+      {
+        Fail("write", path, std::strerror(errno));
+      }
+    });
 }
 
 } // namespace pemesh

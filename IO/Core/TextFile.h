@@ -9,14 +9,19 @@
 
 #include "pemeshIOCoreModule.h" // For export macro
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
 namespace pemesh
 {
 
-PEMESHIOCORE_EXPORT std::string ReadTextFile(const std::filesystem::path& path);
+/** The contents of a file, or its first `most` bytes. */
+PEMESHIOCORE_EXPORT std::string ReadTextFile(
+  const std::filesystem::path& path, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /**
  * Writes under a temporary name in the same folder, then renames: a reader sees the old file or
@@ -24,6 +29,10 @@ PEMESHIOCORE_EXPORT std::string ReadTextFile(const std::filesystem::path& path);
  */
 PEMESHIOCORE_EXPORT void WriteTextFile(
   const std::filesystem::path& path, std::string_view contents);
+
+/** The same for a file that `write` makes under the temporary name that it is given. */
+PEMESHIOCORE_EXPORT void WriteFileSafely(const std::filesystem::path& path,
+  const std::function<void(const std::filesystem::path& temporary)>& write);
 
 } // namespace pemesh
 

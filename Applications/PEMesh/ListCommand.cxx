@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * list: prints the tables that everything else is driven by.
+ */
+#include "AreaRules.h"
+#include "Commands.h"
+#include "MetricRegistry.h"
+#include "PolygonFamilies.h"
+#include "SolverDescription.h"
+#include "SolverDescriptionFile.h"
+#include "Terminal.h"
+#include "TestProblems.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iostream>
+#include <map>
+#include <memory>
+
+namespace pemesh
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+Json FamiliesAsJson()
+{
+  Json list = Json::array();
+  for (const PolygonFamily& family : PolygonFamilies())
+  {
+    Json entry = { { "name", family.Name }, { "label", family.Label },
+      { "description", family.Description }, { "stepped", family.Stepped },
+      { "reference", family.Reference } };
+    if (family.CountName)
+    {
+      entry["count"] = { { "name", family.CountName }, { "default", family.DefaultCount },
+        { "minimum", family.MinimumCount } };
+    }
+    list.push_back(entry);
+  }
+  return list;
+}
+
+Json MetricsAsJson()
+{
+  Json list = Json::array();
+  for (const Metric& metric : Metrics())
+  {
+    const char* good = metric.Good > 0 ? "up" : metric.Good < 0 ? "down" : "none";
+    list.push_back({ { "name", metric.Name }, { "symbol", metric.Symbol },
+      { "label", metric.Label }, { "formula", metric.Formula },
+      { "description", metric.Description }, { "range", metric.Range }, { "good", good },
+      { "scale-invariant", metric.ScaleInvariant }, { "unit", metric.Unit },
+      { "reference", metric.Reference } });
+  }
+  return list;
+}
+
+Json SolversAsJson()
+{
+  Json list = Json::array();
+  for (const FoundSolver& found : ListSolvers())
+  {
+    if (!found.Error.empty())
+    {
+      Complain(found.Error);
+      continue;
+    }
+    Json performances = Json::array();
+    for (const SolverPerformance& performance : found.Description.Performances)
+    {
+      performances.push_back(performance.Name);
+    }
+    list.push_back({ { "name", found.Description.Name }, { "label", found.Description.Label },
+      { "file", found.File.string() }, { "performances", performances } });
+  }
+  return list;
+}
+
+Json ProblemsAsJson()
+{
+  Json list = Json::array();
+  for (const TestProblem& problem : TestProblems())
+  {
+    list.push_back({ { "name", problem.Name }, { "label", problem.Label },
+      { "formula", problem.Formula } });
+  }
+  return list;
+}
+
+Json RulesAsJson()
+{
+  Json list = Json::array();
+  for (const AreaRule& rule : AreaRules())
+  {
+    list.push_back(
+      { { "name", rule.Name }, { "label", rule.Label }, { "formula", rule.Formula } });
+  }
+  return list;
+}
+
+/** A table for people: a line an entry, the keys of `columns` side by side. */
+void PrintTable(const Json& list, const std::vector<std::string>& columns)
+{
+  std::map<std::string, std::size_t> widths;
+  for (const Json& entry : list)
+  {
+    for (const std::string& column : columns)
+    {
+      widths[column] = std::max(widths[column], entry[column].get<std::string>().size());
+    }
+  }
+  for (const Json& entry : list)
+  {
+    std::string line;
+    for (const std::string& column : columns)
+    {
+      std::string field = entry[column].get<std::string>();
+      field.resize(widths[column] + 2, ' ');
+      line += field;
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    std::cout << line << "\n";
+  }
+}
+
+struct Listing
+{
+  const char* Name;
+  Json (*Make)();
+  std::vector<std::string> Columns;
+};
+
+const std::vector<Listing>& Listings()
+{
+  static const std::vector<Listing> listings = {
+    { "families", FamiliesAsJson, { "name", "description" } },
+    { "metrics", MetricsAsJson, { "name", "symbol", "range", "unit", "formula" } },
+    { "solvers", SolversAsJson, { "name", "label" } },
+    { "problems", ProblemsAsJson, { "name", "formula" } },
+    { "rules", RulesAsJson, { "name", "formula" } },
+  };
+  return listings;
+}
+
+} // namespace
+
+void AddListCommand(CLI::App& program, int& exitCode)
+{
+  struct Arguments
+  {
+    std::string What;
+    bool AsJson = false;
+  };
+  auto arguments = std::make_shared<Arguments>();
+  std::vector<std::string> names;
+  for (const Listing& listing : Listings())
+  {
+    names.emplace_back(listing.Name);
+  }
+  CLI::App* command = program.add_subcommand(
+    "list", "List polygon families, metrics, solvers, test problems or area rules");
+  command->add_option("WHAT", arguments->What, "What to list")
+    ->required()
+    ->check(CLI::IsMember(names));
+  command->add_flag("--json", arguments->AsJson, "As JSON, with everything that is known");
+  command->callback(
+    [arguments, &exitCode]
+    {
+      for (const Listing& listing : Listings())
+      {
+        if (arguments->What == listing.Name)
+        {
+          const Json list = listing.Make();
+          arguments->AsJson ? void(std::cout << list.dump(2) << "\n")
+                            : PrintTable(list, listing.Columns);
+        }
+      }
+      exitCode = AllDone;
+    });
+}
+
+} // namespace pemesh

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * run, generate and solve: studies, handed to the Runner.
+ */
+#include "Commands.h"
+#include "Terminal.h"
+#include "vtkPEMRunner.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <csignal>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include <vtkNew.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+struct StudyArguments
+{
+  std::string Study;
+  std::string Output;
+  int Workers = 0;
+  std::vector<std::string> Settings;
+  std::vector<std::string> Formats;
+};
+
+struct SolveArguments
+{
+  std::vector<std::string> Meshes;
+  std::string Solver;
+  std::string Output;
+  int Workers = 0;
+  double TimeLimit = -1.0;
+  std::vector<std::string> Options;
+};
+
+/** The run that an interrupt from the keyboard stops. */
+vtkPEMRunner* ActiveRunner = nullptr;
+
+void StopActiveRunner(int)
+{
+  if (ActiveRunner)
+  {
+    ActiveRunner->RequestStop();
+  }
+}
+
+/** Runs, tells what went wrong and where the results are. */
+int RunToEnd(vtkPEMRunner* runner, const std::string& label)
+{
+  ActiveRunner = runner;
+  std::signal(SIGINT, StopActiveRunner);
+  std::signal(SIGTERM, StopActiveRunner);
+  bool done = false;
+  {
+    const ProgressBar bar(runner, label);
+    done = runner->Run();
+  }
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  ActiveRunner = nullptr;
+  for (const std::string& message : runner->GetMessages())
+  {
+    Complain(message);
+  }
+  if (runner->GetRefused())
+  {
+    return WrongUsage;
+  }
+  std::cout << runner->GetNumberOfCases() << " meshes, " << runner->GetNumberOfFailures()
+            << " failures. Results: " << runner->GetOutputDirectory() << "\n";
+  for (const std::string& file : runner->GetFigureFiles())
+  {
+    std::cout << "  " << file << "\n";
+  }
+  return done ? AllDone : PartFailed;
+}
+
+void AddWorkersOption(CLI::App* command, int& workers)
+{
+  command->add_option("-j,--jobs", workers, "Meshes worked on at the same time (default: one a core)")
+    ->check(CLI::Range(1, 1024));
+}
+
+void AddRun(CLI::App& program, int& exitCode)
+{
+  auto arguments = std::make_shared<StudyArguments>();
+  CLI::App* command = program.add_subcommand("run", "Run a study: meshes, metrics, solvers, plots");
+  command->add_option("STUDY", arguments->Study, "Study document (.json)")->required();
+  command->add_option(
+    "-o,--output", arguments->Output, "Folder for the results (default: the name of the study)");
+  AddWorkersOption(command, arguments->Workers);
+  command->add_option("--set", arguments->Settings, "Change a value of the study: mesh.min-angle=25")
+    ->type_name("PATH=VALUE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->callback(
+    [arguments, &exitCode]
+    {
+      vtkNew<vtkPEMRunner> runner;
+      runner->SetStudyFile(arguments->Study);
+      runner->SetOutputDirectory(arguments->Output);
+      runner->SetNumberOfWorkers(arguments->Workers);
+      for (const std::string& setting : arguments->Settings)
+      {
+        runner->AddSetting(setting);
+      }
+      exitCode = RunToEnd(runner, "run");
+    });
+}
+
+void AddGenerate(CLI::App& program, int& exitCode)
+{
+  auto arguments = std::make_shared<StudyArguments>();
+  CLI::App* command = program.add_subcommand("generate", "Make the meshes of a study, nothing else");
+  command->add_option("STUDY", arguments->Study, "Study document (.json)")->required();
+  command->add_option("-o,--output", arguments->Output, "Folder for the meshes")->required();
+  AddWorkersOption(command, arguments->Workers);
+  command
+    ->add_option("--format", arguments->Formats, "off, obj, stl, node or vtp; several with commas")
+    ->delimiter(',')
+    ->check(CLI::IsMember({ "off", "obj", "stl", "node", "vtp" }));
+  command->callback(
+    [arguments, &exitCode]
+    {
+      vtkNew<vtkPEMRunner> runner;
+      runner->SetStudyFile(arguments->Study);
+      runner->SetOutputDirectory(arguments->Output);
+      runner->SetNumberOfWorkers(arguments->Workers);
+      runner->SetMeshesOnly(true);
+      runner->SetMeshFormats(arguments->Formats);
+      exitCode = RunToEnd(runner, "generate");
+    });
+}
+
+/** A study of mesh files with one solver, as a document. */
+std::string SolveDocument(const SolveArguments& arguments)
+{
+  nlohmann::ordered_json solver;
+  solver["solver"] = arguments.Solver;
+  if (arguments.TimeLimit >= 0.0)
+  {
+    solver["time-limit"] = arguments.TimeLimit;
+  }
+  for (const std::string& option : arguments.Options)
+  {
+    const std::size_t equals = option.find('=');
+    if (equals == std::string::npos || equals == 0)
+    {
+      throw std::runtime_error("--option \"" + option + "\" is not of the form name=value.");
+    }
+    const std::string value = option.substr(equals + 1);
+    const auto parsed = nlohmann::ordered_json::parse(value, nullptr, false);
+    solver[option.substr(0, equals)] = parsed.is_primitive() && !parsed.is_discarded()
+      ? parsed
+      : nlohmann::ordered_json(value);
+  }
+  nlohmann::ordered_json study;
+  study["pemesh"] = 1;
+  study["name"] = fs::path(arguments.Solver).stem().string() + "-results";
+  study["meshes"] = arguments.Meshes;
+  study["solvers"] = nlohmann::ordered_json::array({ solver });
+  return study.dump();
+}
+
+void AddSolve(CLI::App& program, int& exitCode)
+{
+  auto arguments = std::make_shared<SolveArguments>();
+  CLI::App* command =
+    program.add_subcommand("solve", "Run a solver on mesh files; metrics and results in one table");
+  command->add_option("MESH", arguments->Meshes, "Mesh files")->required();
+  command->add_option("--solver", arguments->Solver, "Name or file (.json) of a solver description")
+    ->required();
+  command->add_option(
+    "-o,--output", arguments->Output, "Folder for the results (default: SOLVER-results)");
+  AddWorkersOption(command, arguments->Workers);
+  command->add_option("--timeout", arguments->TimeLimit, "Seconds allowed for each mesh; 0: no limit")
+    ->check(CLI::NonNegativeNumber);
+  command->add_option("--option", arguments->Options, "Option of the solver: problem=linear")
+    ->type_name("NAME=VALUE")
+    ->expected(1)
+    ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->callback(
+    [arguments, &exitCode]
+    {
+      vtkNew<vtkPEMRunner> runner;
+      runner->SetStudyText(SolveDocument(*arguments), fs::current_path().string());
+      runner->SetOutputDirectory(arguments->Output);
+      runner->SetNumberOfWorkers(arguments->Workers);
+      exitCode = RunToEnd(runner, "solve");
+    });
+}
+
+} // namespace
+
+void AddStudyCommands(CLI::App& program, int& exitCode)
+{
+  AddRun(program, exitCode);
+  AddGenerate(program, exitCode);
+  AddSolve(program, exitCode);
+}
+
+} // namespace pemesh

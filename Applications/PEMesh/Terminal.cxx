@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Terminal.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include <unistd.h>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCommand.h>
+#include <vtkNew.h>
+#include <vtkObject.h>
+#include <vtkObjectFactory.h>
+#include <vtkOutputWindow.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+/** Keeps the sentence of "ERROR: In file, line n\nvtkClass (address): sentence". */
+std::string SentenceOf(const char* text)
+{
+  std::string sentence = text ? text : "";
+  if (const std::size_t start = sentence.find("): "); start != std::string::npos)
+  {
+    sentence.erase(0, start + 3);
+  }
+  sentence.erase(sentence.find_last_not_of(" \n") + 1);
+  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
+  return sentence;
+}
+
+class MessageHandler : public vtkOutputWindow
+{
+public:
+  static MessageHandler* New();
+  vtkTypeMacro(MessageHandler, vtkOutputWindow);
+
+  void DisplayText(const char* text) override { Complain(SentenceOf(text)); }
+};
+
+vtkStandardNewMacro(MessageHandler);
+
+} // namespace
+
+void Complain(const std::string& message)
+{
+  std::cerr << "pemesh: " << message << "\n";
+}
+
+void InstallMessageHandler()
+{
+  vtkNew<MessageHandler> handler;
+  vtkOutputWindow::SetInstance(handler);
+}
+
+ProgressBar::ProgressBar(vtkObject* source, const std::string& label)
+  : Source(source)
+  , Label(label)
+{
+  if (!isatty(STDERR_FILENO))
+  {
+    return;
+  }
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(this);
+  observer->SetCallback([](vtkObject*, unsigned long, void* self, void* fraction)
+    { static_cast<ProgressBar*>(self)->Draw(*static_cast<double*>(fraction)); });
+  this->Observer = source->AddObserver(vtkCommand::ProgressEvent, observer);
+  this->Draw(0.0);
+}
+
+ProgressBar::~ProgressBar()
+{
+  if (this->Observer != 0)
+  {
+    this->Source->RemoveObserver(this->Observer);
+    std::cerr << "\r\033[K" << std::flush;
+  }
+}
+
+void ProgressBar::Draw(double fraction)
+{
+  constexpr int width = 40;
+  const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+  if (percent == this->Drawn)
+  {
+    return;
+  }
+  this->Drawn = percent;
+  const int filled = percent * width / 100;
+  std::cerr << "\r" << this->Label << " [" << std::string(static_cast<std::size_t>(filled), '#')
+            << std::string(static_cast<std::size_t>(width - filled), '.') << "] " << percent << " %"
+            << std::flush;
+}
+
+} // namespace pemesh

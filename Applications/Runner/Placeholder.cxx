@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderRunner() { return 0; } }

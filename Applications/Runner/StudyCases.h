@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The cases of a study: one mesh each, whatever is swept.
+ */
+#ifndef pemesh_StudyCases_h
+#define pemesh_StudyCases_h
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace pemesh
+{
+
+struct Study;
+
+struct StudyCase
+{
+  int Index = 0;
+  /** Name of the mesh in files and tables, unique in the study. */
+  std::string Name;
+  /** What time the source is asked for: t of a layout, the index of a mesh file. */
+  double Time = 0.0;
+  /** Swept parameters by name, in the order of the study. */
+  std::vector<std::pair<std::string, double>> Parameters;
+};
+
+/** Throws std::runtime_error when the study names no mesh. */
+std::vector<StudyCase> MakeStudyCases(const Study& study);
+
+/** Name of a generated mesh, as in "009_0.426316": index with at least three digits, value with six decimals. */
+std::string GeneratedMeshName(int index, int count, double t);
+
+} // namespace pemesh
+
+#endif

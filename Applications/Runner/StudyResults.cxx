@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StudyResults.h"
+
+#include "CaseStatus.h"
+#include "CsvTable.h"
+#include "NumberText.h"
+#include "Study.h"
+#include "StudyCases.h"
+#include "TableRows.h"
+#include "TextFile.h"
+
+#include <algorithm>
+
+#include <vtkDoubleArray.h>
+#include <vtkFieldData.h>
+#include <vtkIdTypeArray.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+std::string TextOf(vtkTable* row, const std::string& column)
+{
+  auto* array = vtkStringArray::SafeDownCast(row->GetColumnByName(column.c_str()));
+  return array && array->GetNumberOfValues() > 0 ? array->GetValue(0) : std::string();
+}
+
+template <typename Array>
+Array* AddColumn(vtkTable* table, const char* name)
+{
+  vtkNew<Array> column;
+  column->SetName(name);
+  table->AddColumn(column);
+  return column;
+}
+
+std::string EscapeXml(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+/** Sentences name files of this machine: they go to failures.csv, never into the results. */
+void RemoveMessages(vtkTable* results, const std::vector<std::string>& runs)
+{
+  results->RemoveColumnByName("StatusMessage");
+  for (const std::string& run : runs)
+  {
+    results->RemoveColumnByName((run + "_StatusMessage").c_str());
+  }
+}
+
+} // namespace
+
+StudyResults::StudyResults(const Study& study, const std::vector<StudyCase>& cases)
+  : Cases(cases)
+  , Rows(cases.size())
+{
+  for (const StudySolver& solver : study.Solvers)
+  {
+    this->Runs.push_back(solver.Name);
+  }
+}
+
+StudyResults::~StudyResults() = default;
+
+void StudyResults::AddRow(const StudyCase& studyCase, vtkTable* row)
+{
+  auto copy = vtkSmartPointer<vtkTable>::New();
+  copy->DeepCopy(row);
+  const std::scoped_lock lock(this->Mutex);
+  this->Rows[static_cast<std::size_t>(studyCase.Index)] = copy;
+  this->KeepFailures(studyCase, copy);
+}
+
+void StudyResults::AddFailure(const StudyFailure& failure)
+{
+  const std::scoped_lock lock(this->Mutex);
+  this->Failures.push_back(failure);
+}
+
+void StudyResults::KeepFailures(const StudyCase& studyCase, vtkTable* row)
+{
+  const std::string status = TextOf(row, "Status");
+  if (!status.empty() && status != "ok")
+  {
+    this->Failures.push_back(
+      { studyCase.Index, studyCase.Name, "mesh", status, TextOf(row, "StatusMessage") });
+    return; // what follows from it is no failure of its own
+  }
+  for (const std::string& run : this->Runs)
+  {
+    const std::string runStatus = TextOf(row, run + "_Status");
+    if (!runStatus.empty() && runStatus != "ok")
+    {
+      this->Failures.push_back(
+        { studyCase.Index, studyCase.Name, run, runStatus, TextOf(row, run + "_StatusMessage") });
+    }
+  }
+}
+
+void StudyResults::Finish()
+{
+  std::stable_sort(this->Failures.begin(), this->Failures.end(),
+    [](const StudyFailure& a, const StudyFailure& b) { return a.Index < b.Index; });
+
+  this->Results = vtkSmartPointer<vtkTable>::New();
+  this->Index = vtkSmartPointer<vtkTable>::New();
+  auto* meshIndex = AddColumn<vtkIdTypeArray>(this->Index, "Index");
+  auto* meshName = AddColumn<vtkStringArray>(this->Index, "Mesh");
+  for (const auto& parameter : this->Cases.front().Parameters)
+  {
+    AddColumn<vtkDoubleArray>(this->Index, parameter.first.c_str());
+  }
+  vtkNew<vtkIdTypeArray> rowIndex;
+  rowIndex->SetName("Index");
+  vtkNew<vtkTable> all;
+  for (const StudyCase& studyCase : this->Cases)
+  {
+    vtkTable* row = this->Rows[static_cast<std::size_t>(studyCase.Index)];
+    if (!row)
+    {
+      continue;
+    }
+    AppendTableRows(all, row);
+    rowIndex->InsertNextValue(studyCase.Index);
+    meshIndex->InsertNextValue(studyCase.Index);
+    meshName->InsertNextValue(studyCase.Name);
+    for (const auto& [name, value] : studyCase.Parameters)
+    {
+      vtkArrayDownCast<vtkDoubleArray>(this->Index->GetColumnByName(name.c_str()))
+        ->InsertNextValue(value);
+    }
+  }
+  this->Timings = vtkSmartPointer<vtkTable>::New();
+  this->Timings->AddColumn(meshIndex);
+  this->Timings->AddColumn(meshName);
+  this->Results->AddColumn(rowIndex);
+  for (vtkIdType column = 0; column < all->GetNumberOfColumns(); ++column)
+  {
+    const bool measured = IsInFieldList(all, MeasuredList, all->GetColumnName(column));
+    (measured ? this->Timings : this->Results)->AddColumn(all->GetColumn(column));
+  }
+  RemoveMessages(this->Results, this->Runs);
+}
+
+vtkSmartPointer<vtkTable> StudyResults::FailureTable() const
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  auto* index = AddColumn<vtkIdTypeArray>(table, "Index");
+  auto* mesh = AddColumn<vtkStringArray>(table, "Mesh");
+  auto* stage = AddColumn<vtkStringArray>(table, "Stage");
+  auto* status = AddColumn<vtkStringArray>(table, "Status");
+  auto* message = AddColumn<vtkStringArray>(table, "Message");
+  for (const StudyFailure& failure : this->Failures)
+  {
+    index->InsertNextValue(failure.Index);
+    mesh->InsertNextValue(failure.Mesh);
+    stage->InsertNextValue(failure.Stage);
+    status->InsertNextValue(failure.Status);
+    message->InsertNextValue(failure.Message);
+  }
+  return table;
+}
+
+void StudyResults::Write(const std::filesystem::path& folder, bool indexOnly) const
+{
+  if (!indexOnly)
+  {
+    WriteCsvFile(folder / "results.csv", this->Results);
+    WriteCsvFile(folder / "timings.csv", this->Timings);
+  }
+  WriteCsvFile(folder / "index.csv", this->Index);
+  if (!this->Failures.empty())
+  {
+    WriteCsvFile(folder / "failures.csv", this->FailureTable());
+  }
+  else
+  {
+    std::filesystem::remove(folder / "failures.csv");
+  }
+}
+
+void StudyResults::WriteSeries(
+  const std::filesystem::path& folder, const std::filesystem::path& meshes) const
+{
+  std::string text = "<?xml version=\"1.0\"?>\n"
+                     "<VTKFile type=\"Collection\" version=\"0.1\">\n"
+                     "  <Collection>\n";
+  for (const StudyCase& studyCase : this->Cases)
+  {
+    const std::filesystem::path file = meshes / (studyCase.Name + ".vtp");
+    if (this->Rows[static_cast<std::size_t>(studyCase.Index)] &&
+      std::filesystem::exists(folder / file))
+    {
+      text += "    <DataSet timestep=\"" + FormatNumber(studyCase.Time) + "\" part=\"0\" file=\"" +
+        EscapeXml(file.generic_string()) + "\"/>\n";
+    }
+  }
+  text += "  </Collection>\n</VTKFile>\n";
+  WriteTextFile(folder / "series.pvd", text);
+}
+
+} // namespace pemesh

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The rows of a study, gathered from the workers in any order, and the tables made of them.
+ */
+#ifndef pemesh_StudyResults_h
+#define pemesh_StudyResults_h
+
+#include <filesystem>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h> // For the tables
+
+class vtkTable;
+
+namespace pemesh
+{
+
+struct Study;
+struct StudyCase;
+
+struct StudyFailure
+{
+  int Index = 0;
+  std::string Mesh;
+  /** "mesh", "output" or the name of a solver's run. */
+  std::string Stage;
+  std::string Status;
+  std::string Message;
+};
+
+class StudyResults
+{
+public:
+  StudyResults(const Study& study, const std::vector<StudyCase>& cases);
+  ~StudyResults();
+
+  /** Keeps a copy of the row of a case, and what failed in it. May be called from any thread. */
+  void AddRow(const StudyCase& studyCase, vtkTable* row);
+
+  /** A failure that the row does not tell. May be called from any thread. */
+  void AddFailure(const StudyFailure& failure);
+
+  /** Once all rows are there: makes the tables. Cases without a row are left out. */
+  void Finish();
+
+  ///@{
+  /** After Finish(). */
+  vtkTable* GetResults() const { return this->Results; }
+  vtkTable* GetTimings() const { return this->Timings; }
+  vtkTable* GetIndex() const { return this->Index; }
+  const std::vector<StudyFailure>& GetFailures() const { return this->Failures; }
+  ///@}
+
+  /**
+   * Writes results.csv, timings.csv, index.csv and, where something failed, failures.csv (an old
+   * one goes otherwise); of these, with `indexOnly`, only the last two. Throws std::runtime_error.
+   */
+  void Write(const std::filesystem::path& folder, bool indexOnly) const;
+
+  /**
+   * Writes series.pvd over the meshes written as .vtp in the folder `meshes` below, by t or else
+   * by index.
+   */
+  void WriteSeries(const std::filesystem::path& folder, const std::filesystem::path& meshes) const;
+
+private:
+  void KeepFailures(const StudyCase& studyCase, vtkTable* row);
+  vtkSmartPointer<vtkTable> FailureTable() const;
+
+  std::vector<std::string> Runs;
+  const std::vector<StudyCase>& Cases;
+  std::vector<vtkSmartPointer<vtkTable>> Rows;
+  std::vector<StudyFailure> Failures;
+  vtkSmartPointer<vtkTable> Results;
+  vtkSmartPointer<vtkTable> Timings;
+  vtkSmartPointer<vtkTable> Index;
+  std::mutex Mutex;
+};
+
+} // namespace pemesh
+
+#endif

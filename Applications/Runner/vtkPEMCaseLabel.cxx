@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkPEMCaseLabel.h"
+
+#include "CaseStatus.h"
+
+#include <algorithm>
+
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkObjectFactory.h>
+#include <vtkPolyData.h>
+
+vtkStandardNewMacro(vtkPEMCaseLabel);
+
+void vtkPEMCaseLabel::SetMeshName(const std::string& name)
+{
+  if (this->MeshName != name)
+  {
+    this->MeshName = name;
+    this->Modified();
+  }
+}
+
+void vtkPEMCaseLabel::SetParameter(const std::string& name, double value)
+{
+  const auto found = std::find_if(this->Parameters.begin(), this->Parameters.end(),
+    [&](const auto& parameter) { return parameter.first == name; });
+  if (found == this->Parameters.end())
+  {
+    this->Parameters.emplace_back(name, value);
+    this->Modified();
+  }
+  else if (found->second != value)
+  {
+    found->second = value;
+    this->Modified();
+  }
+}
+
+void vtkPEMCaseLabel::RemoveAllParameters()
+{
+  if (!this->Parameters.empty())
+  {
+    this->Parameters.clear();
+    this->Modified();
+  }
+}
+
+int vtkPEMCaseLabel::RequestData(
+  vtkInformation* vtkNotUsed(request), vtkInformationVector** inputs, vtkInformationVector* outputs)
+{
+  vtkPolyData* output = vtkPolyData::GetData(outputs);
+  output->ShallowCopy(vtkPolyData::GetData(inputs[0]));
+  if (!this->MeshName.empty())
+  {
+    pemesh::SetFieldText(output, pemesh::MeshNameField, this->MeshName);
+  }
+  for (const auto& [name, value] : this->Parameters)
+  {
+    pemesh::SetFieldNumber(output, name, value);
+    pemesh::AddToFieldList(output, pemesh::ParametersList, name);
+  }
+  return 1;
+}
+
+void vtkPEMCaseLabel::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "MeshName: " << this->MeshName << "\n";
+  for (const auto& [name, value] : this->Parameters)
+  {
+    os << indent << "Parameter " << name << ": " << value << "\n";
+  }
+}

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   vtkPEMCaseLabel
+ * @brief   Passes a mesh on with the name and the parameters of its case as field data.
+ *
+ * Input port 0 and output port 0: vtkPolyData. Field text `Mesh` is the name; every parameter is a
+ * field number listed in `Parameters`.
+ */
+#ifndef vtkPEMCaseLabel_h
+#define vtkPEMCaseLabel_h
+
+#include "pemeshRunnerModule.h" // For export macro
+
+#include <string> // For arguments
+#include <vector> // For the parameters
+
+#include <vtkPolyDataAlgorithm.h>
+
+class PEMESHRUNNER_EXPORT vtkPEMCaseLabel : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkPEMCaseLabel* New();
+  vtkTypeMacro(vtkPEMCaseLabel, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /** Name of the mesh; empty leaves the name that the input has. Default empty. */
+  void SetMeshName(const std::string& name);
+  std::string GetMeshName() const { return this->MeshName; }
+  ///@}
+
+  ///@{
+  /** Sets a parameter, or changes its value. Default none. */
+  void SetParameter(const std::string& name, double value);
+  void RemoveAllParameters();
+  ///@}
+
+protected:
+  vtkPEMCaseLabel() = default;
+  ~vtkPEMCaseLabel() override = default;
+
+  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
+    vtkInformationVector* outputs) override;
+
+private:
+  vtkPEMCaseLabel(const vtkPEMCaseLabel&) = delete;
+  void operator=(const vtkPEMCaseLabel&) = delete;
+
+  std::string MeshName;
+  std::vector<std::pair<std::string, double>> Parameters;
+};
+
+#endif

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "CairoCanvas.h"
+
+#include "NumberText.h"
+
+#include <cairo-pdf.h>
+#include <cairo-svg.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+#include <string_view>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr const char* FontFamily = "DejaVu Sans";
+// Of DejaVu Sans, in ems: a box around every letter with accents and descenders.
+constexpr double Ascent = 0.928;
+constexpr double Descent = 0.236;
+constexpr double LineHeight = Ascent + Descent;
+
+cairo_status_t Append(void* stream, const unsigned char* data, unsigned int length)
+{
+  static_cast<std::string*>(stream)->append(reinterpret_cast<const char*>(data), length);
+  return CAIRO_STATUS_SUCCESS;
+}
+
+/** Without hinting, widths are proportional to the size and equal on all surfaces. */
+cairo_font_options_t* MakeFontOptions()
+{
+  cairo_font_options_t* options = cairo_font_options_create();
+  cairo_font_options_set_antialias(options, CAIRO_ANTIALIAS_GRAY);
+  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
+  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
+  return options;
+}
+
+double MeasureLine(const std::string& line, bool bold)
+{
+  constexpr double size = 1000.0; // any: the result is in ems
+  cairo_matrix_t fontMatrix;
+  cairo_matrix_t identity;
+  cairo_matrix_init_scale(&fontMatrix, size, size);
+  cairo_matrix_init_identity(&identity);
+  cairo_font_options_t* options = MakeFontOptions();
+  cairo_font_face_t* face = cairo_toy_font_face_create(
+    FontFamily, CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_scaled_font_t* font = cairo_scaled_font_create(face, &fontMatrix, &identity, options);
+  cairo_text_extents_t extents = {};
+  cairo_scaled_font_text_extents(font, line.c_str(), &extents);
+  cairo_scaled_font_destroy(font);
+  cairo_font_face_destroy(face);
+  cairo_font_options_destroy(options);
+  return extents.x_advance / size;
+}
+
+std::vector<std::string> SplitLines(const std::string& text)
+{
+  std::vector<std::string> lines;
+  std::size_t start = 0;
+  for (std::size_t end = text.find('\n'); end != std::string::npos; end = text.find('\n', start))
+  {
+    lines.push_back(text.substr(start, end - start));
+    start = end + 1;
+  }
+  lines.push_back(text.substr(start));
+  return lines;
+}
+
+std::string EscapeXml(const std::string& text)
+{
+  std::string escaped;
+  for (const char c : text)
+  {
+    switch (c)
+    {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        // Control characters are not allowed in XML at all.
+        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+    }
+  }
+  return escaped;
+}
+
+std::string Rounded(double value)
+{
+  const double rounded = std::round(value * 1000.0) / 1000.0;
+  return FormatNumber(rounded == 0.0 ? 0.0 : rounded);
+}
+
+/** Cairo numbers its ids through the life of the process: number them through the file instead. */
+std::string RenumberIds(std::string_view text)
+{
+  constexpr std::string_view openings[] = { " id=\"", "href=\"#", "url(#" };
+  std::map<std::string, std::string, std::less<>> names;
+  std::string result;
+  std::size_t position = 0;
+  while (position < text.size())
+  {
+    std::size_t start = std::string_view::npos;
+    for (const std::string_view opening : openings)
+    {
+      const std::size_t found = text.find(opening, position);
+      start = std::min(start, found == std::string_view::npos ? found : found + opening.size());
+    }
+    if (start == std::string_view::npos)
+    {
+      break;
+    }
+    const std::size_t end = std::min(text.find_first_of("\")", start), text.size());
+    const std::string name(text.substr(start, end - start));
+    const auto known = names.emplace(name, "i" + std::to_string(names.size())).first;
+    result += text.substr(position, start - position);
+    result += known->second;
+    position = end;
+  }
+  result += text.substr(position);
+  return result;
+}
+
+std::uint32_t Crc32(std::string_view bytes)
+{
+  std::uint32_t crc = 0xFFFFFFFFu;
+  for (const char byte : bytes)
+  {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit)
+    {
+      crc = (crc >> 1) ^ ((crc & 1u) ? 0xEDB88320u : 0u);
+    }
+  }
+  return ~crc;
+}
+
+void AppendBigEndian(std::string& bytes, std::uint32_t value)
+{
+  for (int shift = 24; shift >= 0; shift -= 8)
+  {
+    bytes += static_cast<char>((value >> shift) & 0xFFu);
+  }
+}
+
+/** Cairo does not write the resolution (chunk pHYs), which programs take the printed size from. */
+void AddResolution(std::string& png, double dpi)
+{
+  constexpr std::size_t afterHeader = 8 + 25; // signature and IHDR
+  if (png.size() < afterHeader)
+  {
+    return;
+  }
+  const auto pixelsPerMetre = static_cast<std::uint32_t>(std::lround(dpi / 0.0254));
+  std::string body = "pHYs";
+  AppendBigEndian(body, pixelsPerMetre);
+  AppendBigEndian(body, pixelsPerMetre);
+  body += '\1'; // the unit is the metre
+  std::string chunk;
+  AppendBigEndian(chunk, static_cast<std::uint32_t>(body.size() - 4));
+  chunk += body;
+  AppendBigEndian(chunk, Crc32(body));
+  png.insert(afterHeader, chunk);
+}
+
+} // namespace
+
+CairoCanvas::CairoCanvas(Format format, double width, double height, double dpi,
+  double unitsPerPoint, const std::string& title)
+  : Kind(format)
+  , Width(width)
+  , Height(height)
+  , Dpi(dpi)
+  , Units(unitsPerPoint)
+  , Title(title)
+{
+  double scaleX = 1.0 / unitsPerPoint;
+  double scaleY = scaleX;
+  if (format == Format::Png)
+  {
+    const int columns = std::max(1, static_cast<int>(std::lround(width * dpi / 72.0)));
+    const int rows = std::max(1, static_cast<int>(std::lround(height * dpi / 72.0)));
+    this->Surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows);
+    scaleX *= columns / width;
+    scaleY *= rows / height;
+  }
+  else if (format == Format::Svg)
+  {
+    this->Surface = cairo_svg_surface_create_for_stream(Append, &this->Stream, width, height);
+  }
+  else
+  {
+    this->Surface = cairo_pdf_surface_create_for_stream(Append, &this->Stream, width, height);
+    // The date would make every file differ.
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATE_DATE, nullptr);
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_TITLE, title.c_str());
+    cairo_pdf_surface_set_metadata(this->Surface, CAIRO_PDF_METADATA_CREATOR, "PEMesh");
+  }
+  this->Cairo = cairo_create(this->Surface);
+  if (cairo_status(this->Cairo) != CAIRO_STATUS_SUCCESS)
+  {
+    const std::string reason = cairo_status_to_string(cairo_status(this->Cairo));
+    cairo_destroy(this->Cairo);
+    cairo_surface_destroy(this->Surface);
+    throw std::runtime_error("The figure cannot be made (" + reason + "): make it smaller.");
+  }
+  cairo_set_source_rgb(this->Cairo, 1.0, 1.0, 1.0);
+  cairo_paint(this->Cairo);
+  cairo_scale(this->Cairo, scaleX, -scaleY);
+  cairo_translate(this->Cairo, 0.0, -height * unitsPerPoint);
+  cairo_set_line_join(this->Cairo, CAIRO_LINE_JOIN_ROUND);
+  cairo_font_options_t* options = MakeFontOptions();
+  cairo_set_font_options(this->Cairo, options);
+  cairo_font_options_destroy(options);
+}
+
+CairoCanvas::~CairoCanvas()
+{
+  cairo_destroy(this->Cairo);
+  cairo_surface_destroy(this->Surface);
+}
+
+CanvasTextBox CairoCanvas::MeasureText(const std::string& text, const CanvasTextStyle& style)
+{
+  CanvasTextBox box;
+  for (const std::string& line : SplitLines(text))
+  {
+    box.Width = std::max(box.Width, style.Size * MeasureLine(line, style.Bold));
+    box.Height += style.Size * LineHeight;
+  }
+  return box;
+}
+
+void CairoCanvas::DrawText(
+  double x, double y, const std::string& text, const CanvasTextStyle& style)
+{
+  const std::vector<std::string> lines = SplitLines(text);
+  const double height = style.Size * LineHeight * static_cast<double>(lines.size());
+  // Height of the first baseline over the anchor, before turning.
+  double baseline = height * (1 - style.Vertical) / 2.0 - style.Size * Ascent;
+  const double angle = style.Angle * std::numbers::pi / 180.0;
+  for (const std::string& line : lines)
+  {
+    DrawLineOfText(x - baseline * std::sin(angle), y + baseline * std::cos(angle), line, style);
+    baseline -= style.Size * LineHeight;
+  }
+}
+
+void CairoCanvas::DrawLineOfText(
+  double x, double y, const std::string& line, const CanvasTextStyle& style)
+{
+  if (line.empty())
+  {
+    return;
+  }
+  if (this->Kind == Format::Svg)
+  {
+    this->RecordText(x, y, line, style);
+    return;
+  }
+  cairo_save(this->Cairo);
+  cairo_translate(this->Cairo, x, y);
+  cairo_rotate(this->Cairo, style.Angle * std::numbers::pi / 180.0);
+  cairo_scale(this->Cairo, 1.0, -1.0);
+  cairo_select_font_face(this->Cairo, FontFamily, CAIRO_FONT_SLANT_NORMAL,
+    style.Bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_set_font_size(this->Cairo, style.Size);
+  cairo_set_source_rgba(
+    this->Cairo, style.Color[0], style.Color[1], style.Color[2], style.Color[3]);
+  const double width = style.Size * MeasureLine(line, style.Bold);
+  cairo_move_to(this->Cairo, -width * (1 + style.Horizontal) / 2.0, 0.0);
+  cairo_show_text(this->Cairo, line.c_str());
+  cairo_new_path(this->Cairo);
+  cairo_restore(this->Cairo);
+}
+
+void CairoCanvas::RecordText(
+  double x, double y, const std::string& line, const CanvasTextStyle& style)
+{
+  constexpr const char* anchors[] = { "start", "middle", "end" };
+  const auto percent = [](double part) { return Rounded(100.0 * part) + "%"; };
+  std::string& text = this->SvgText;
+  text += "<text transform=\"translate(" + Rounded(x / this->Units) + " " +
+    Rounded(this->Height - y / this->Units) + ")";
+  if (style.Angle != 0.0)
+  {
+    text += " rotate(" + Rounded(-style.Angle) + ")";
+  }
+  text += "\" font-size=\"" + Rounded(style.Size / this->Units) + "\"";
+  text += style.Bold ? " font-weight=\"bold\"" : "";
+  text += std::string(" text-anchor=\"") + anchors[style.Horizontal + 1] + "\"";
+  text += " fill=\"rgb(" + percent(style.Color[0]) + "," + percent(style.Color[1]) + "," +
+    percent(style.Color[2]) + ")\"";
+  text += style.Color[3] < 1.0 ? " fill-opacity=\"" + Rounded(style.Color[3]) + "\"" : "";
+  text += ">" + EscapeXml(line) + "</text>\n";
+}
+
+std::string CairoCanvas::Finish()
+{
+  cairo_surface_flush(this->Surface);
+  if (this->Kind == Format::Png)
+  {
+    cairo_surface_write_to_png_stream(this->Surface, Append, &this->Stream);
+    AddResolution(this->Stream, this->Dpi);
+  }
+  cairo_surface_finish(this->Surface);
+  const cairo_status_t drawn = cairo_status(this->Cairo);
+  const cairo_status_t status =
+    drawn != CAIRO_STATUS_SUCCESS && drawn != CAIRO_STATUS_SURFACE_FINISHED
+    ? drawn
+    : cairo_surface_status(this->Surface);
+  if (status != CAIRO_STATUS_SUCCESS)
+  {
+    throw std::runtime_error(
+      std::string("The figure cannot be drawn: ") + cairo_status_to_string(status) + ".");
+  }
+  if (this->Kind == Format::Svg)
+  {
+    const std::size_t head = this->Stream.find("<g ");
+    const std::size_t end = this->Stream.rfind("</svg>");
+    if (head != std::string::npos && end != std::string::npos)
+    {
+      const std::string group =
+        "<g font-family=\"'DejaVu Sans', Verdana, sans-serif\" xml:space=\"preserve\">\n" +
+        this->SvgText + "</g>\n";
+      this->Stream.insert(end, group);
+      if (!this->Title.empty())
+      {
+        const std::size_t open = this->Stream.find('>', this->Stream.find("<svg")) + 1;
+        this->Stream.insert(open, "\n<title>" + EscapeXml(this->Title) + "</title>");
+      }
+    }
+    return RenumberIds(this->Stream);
+  }
+  return this->Stream;
+}
+
+} // namespace pemesh

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderCharts() { return 0; } }

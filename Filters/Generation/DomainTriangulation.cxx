@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DomainTriangulation.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Constrained_triangulation_face_base_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <stdexcept>
+#include <utility>
+
+namespace pemesh
+{
+
+namespace
+{
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase = CGAL::Constrained_triangulation_face_base_2<Kernel,
+  CGAL::Triangulation_face_base_with_info_2<int, Kernel>>;
+using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using CgalTriangulation = CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure,
+  CGAL::No_constraint_intersection_tag>;
+
+/**
+ * CGAL restores the Delaunay property around a new constraint in the order of memory addresses, so
+ * where points lie on one circle the result changes from run to run. Here that step is left out;
+ * RefinableTriangulation::MakeDelaunay does it in a fixed order.
+ */
+class RepeatableTriangulation : public CgalTriangulation
+{
+  void triangulate_hole(
+    List_faces& intersected, List_edges& boundaryLeft, List_edges& boundaryRight) override
+  {
+    List_edges newEdges;
+    this->Ctr::triangulate_hole(intersected, boundaryLeft, boundaryRight, newEdges);
+  }
+};
+
+using Face = RepeatableTriangulation::Face_handle;
+using Vertex = RepeatableTriangulation::Vertex_handle;
+
+constexpr int NotInDomain = -1;
+
+[[noreturn]] void RefuseMeetingLoops()
+{
+  throw std::runtime_error("Two edges of the domain's boundary meet; its loops must be apart.");
+}
+
+void InsertBoundary(const DomainBoundary& boundary, RepeatableTriangulation& triangulation)
+{
+  std::vector<Vertex> vertices;
+  vertices.reserve(boundary.Points.size());
+  Face hint;
+  for (std::size_t i = 0; i < boundary.Points.size(); ++i)
+  {
+    const Point2& point = boundary.Points[i];
+    const Vertex vertex = triangulation.insert(Kernel::Point_2(point.x, point.y), hint);
+    if (triangulation.number_of_vertices() != i + 1)
+    {
+      RefuseMeetingLoops();
+    }
+    vertex->info() = static_cast<int>(i);
+    vertices.push_back(vertex);
+    hint = vertex->face();
+  }
+  for (const InputSegment& segment : boundary.Segments)
+  {
+    triangulation.insert_constraint(vertices[segment.From], vertices[segment.To]);
+  }
+}
+
+/** Numbers the faces of the domain in the order in which a walk from the outer border meets them.
+ */
+std::vector<Face> NumberDomainFaces(RepeatableTriangulation& triangulation)
+{
+  for (const Face face : triangulation.all_face_handles())
+  {
+    face->info() = NotInDomain;
+  }
+  const Face outside = triangulation.infinite_face();
+  std::vector<Face> faces = { outside->neighbor(outside->index(triangulation.infinite_vertex())) };
+  faces[0]->info() = 0;
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const Face face = faces[i];
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const Face neighbor = face->neighbor(edge);
+      if (!face->is_constrained(edge) && neighbor->info() == NotInDomain)
+      {
+        if (triangulation.is_infinite(neighbor))
+        {
+          RefuseMeetingLoops();
+        }
+        neighbor->info() = static_cast<int>(faces.size());
+        faces.push_back(neighbor);
+      }
+    }
+  }
+  return faces;
+}
+
+} // namespace
+
+DomainBoundary MakeDomainBoundary(
+  const std::vector<Point2>& outer, const std::vector<std::vector<Point2>>& holes)
+{
+  DomainBoundary boundary;
+  const auto add = [&boundary](const std::vector<Point2>& loop, bool reversed)
+  {
+    const int first = static_cast<int>(boundary.Points.size());
+    const int n = static_cast<int>(loop.size());
+    boundary.Points.insert(boundary.Points.end(), loop.begin(), loop.end());
+    for (int i = 0; i < n; ++i)
+    {
+      const int after = first + (i + 1) % n;
+      const int before = first + (i + n - 1) % n;
+      boundary.Segments.push_back({ first + i, reversed ? before : after });
+      boundary.Before.push_back(reversed ? after : before);
+    }
+  };
+  for (const std::vector<Point2>& hole : holes)
+  {
+    add(hole, true);
+  }
+  add(outer, false);
+  return boundary;
+}
+
+RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary)
+{
+  RepeatableTriangulation triangulation;
+  std::vector<Face> faces;
+  try
+  {
+    InsertBoundary(boundary, triangulation);
+    faces = NumberDomainFaces(triangulation);
+  }
+  catch (const RepeatableTriangulation::Intersection_of_constraints_exception&)
+  {
+    RefuseMeetingLoops();
+  }
+
+  std::vector<RefinableTriangulation::Triangle> triangles(faces.size());
+  std::vector<RefinableTriangulation::Segment> segments(boundary.Segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    segments[i] = { -1, static_cast<int>(i) };
+  }
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const Face face = faces[i];
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      triangles[i].Vertex[edge] = face->vertex(edge)->info();
+    }
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      triangles[i].Neighbor[edge] = face->neighbor(edge)->info();
+      if (face->is_constrained(edge))
+      {
+        const int from = triangles[i].Vertex[(edge + 1) % 3];
+        segments[from].Triangle = static_cast<int>(i);
+        triangles[i].Neighbor[edge] = ~from;
+      }
+    }
+  }
+  for (const RefinableTriangulation::Segment& segment : segments)
+  {
+    if (segment.Triangle < 0)
+    {
+      RefuseMeetingLoops();
+    }
+  }
+  RefinableTriangulation result(boundary.Points, std::move(triangles), std::move(segments));
+  result.MakeDelaunay();
+  return result;
+}
+
+} // namespace pemesh

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The constrained Delaunay triangulation of a domain with holes, before any refinement.
+ */
+#ifndef pemesh_DomainTriangulation_h
+#define pemesh_DomainTriangulation_h
+
+#include "Point2.h"
+#include "RefinableTriangulation.h"
+
+#include <vector>
+
+namespace pemesh
+{
+
+/** A piece of the domain's boundary as given, domain on the left. */
+struct InputSegment
+{
+  int From;
+  int To;
+};
+
+/**
+ * The boundary of a domain: closed loops of vertices that do not meet. Vertices are numbered loop
+ * after loop. Segment i starts at vertex i, so the segments around vertex i are i and Before(i).
+ */
+struct DomainBoundary
+{
+  std::vector<Point2> Points;
+  std::vector<InputSegment> Segments;
+  std::vector<int> Before; ///< a vertex each: the segment that ends there
+};
+
+/**
+ * `outer` and all `holes` are simple, counter-clockwise and do not meet; holes lie in the outer
+ * loop. Vertices of the holes come first, in their order, then those of the outer loop.
+ */
+DomainBoundary MakeDomainBoundary(
+  const std::vector<Point2>& outer, const std::vector<std::vector<Point2>>& holes);
+
+/**
+ * The constrained Delaunay triangulation of a domain whose outer loop is convex. Segment i of the
+ * triangulation is segment i of the boundary. Throws std::runtime_error if loops meet.
+ */
+RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary);
+
+} // namespace pemesh
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Whether placed polygons can be meshed around: the check that comes before any meshing.
+ */
+#ifndef pemesh_LayoutValidity_h
+#define pemesh_LayoutValidity_h
+
+#include "Point2.h"
+#include "pemeshFiltersGenerationModule.h" // For export macro
+
+#include <string>
+#include <vector>
+
+namespace pemesh
+{
+
+struct PlacedPolygon
+{
+  std::string Name;
+  std::vector<Point2> Vertices;
+};
+
+/**
+ * Empty if every polygon is simple and lies in the open unit square and no two meet, else one
+ * sentence on the first fault, naming the polygons and `t` (NaN: no t is named). The answer is
+ * exact (see PolygonValidity.h).
+ */
+PEMESHFILTERSGENERATION_EXPORT std::string FindLayoutFault(
+  const std::vector<PlacedPolygon>& polygons, double t);
+
+} // namespace pemesh
+
+#endif

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderFiltersGeneration() { return 0; } }

@@ -1,0 +1,248 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkPEMDomainMesher.h"
+
+#include "AreaRules.h"
+#include "CaseStatus.h"
+#include "DomainMesh.h"
+#include "ElementAccess.h"
+#include "LayoutValidity.h"
+#include "NumberText.h"
+#include "PolygonMeasures.h"
+#include "Progress.h"
+
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkFieldData.h>
+#include <vtkInformation.h>
+#include <vtkInformationVector.h>
+#include <vtkIntArray.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkStringArray.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <vector>
+
+vtkStandardNewMacro(vtkPEMDomainMesher);
+
+namespace
+{
+
+constexpr const char* PolygonIdArray = "PolygonId";
+constexpr const char* ElementFamilyArray = "ElementFamily";
+constexpr const char* PolygonNameArray = "PolygonName";
+constexpr int Filler = -1;
+constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
+
+/** What the mesher takes from its input. */
+struct Layout
+{
+  std::vector<pemesh::PlacedPolygon> Polygons; ///< as given
+  std::vector<int> Ids;
+  std::vector<int> Families;
+};
+
+int CellNumber(vtkPolyData* input, const char* name, vtkIdType cell, int otherwise)
+{
+  vtkDataArray* array = input->GetCellData()->GetArray(name);
+  return array ? static_cast<int>(array->GetTuple1(cell)) : otherwise;
+}
+
+Layout ReadLayout(vtkPolyData* input)
+{
+  Layout layout;
+  auto* names =
+    vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray(PolygonNameArray));
+  pemesh::ElementAccess access(input);
+  for (vtkIdType cell = 0; cell < access.GetNumberOfElements(); ++cell)
+  {
+    pemesh::PlacedPolygon polygon;
+    polygon.Name =
+      names ? std::string(names->GetValue(cell)) : "polygon " + std::to_string(cell + 1);
+    access.GetVertices(cell, polygon.Vertices);
+    layout.Polygons.push_back(std::move(polygon));
+    layout.Ids.push_back(CellNumber(input, PolygonIdArray, cell, static_cast<int>(cell)));
+    layout.Families.push_back(CellNumber(input, ElementFamilyArray, cell, Filler));
+  }
+  return layout;
+}
+
+/** The polygons, turned round where they are clockwise (their first vertex stays the first). */
+std::vector<std::vector<pemesh::Point2>> CounterClockwisePolygons(const Layout& layout)
+{
+  std::vector<std::vector<pemesh::Point2>> polygons;
+  for (const pemesh::PlacedPolygon& polygon : layout.Polygons)
+  {
+    polygons.push_back(polygon.Vertices);
+    if (pemesh::PolygonOrientation(polygon.Vertices) < 0)
+    {
+      std::reverse(polygons.back().begin() + 1, polygons.back().end());
+    }
+  }
+  return polygons;
+}
+
+pemesh::DomainMesh MeshOrExplain(const std::vector<std::vector<pemesh::Point2>>& polygons,
+  const pemesh::DomainMeshOptions& options)
+{
+  try
+  {
+    return pemesh::MeshDomain(polygons, options);
+  }
+  catch (const std::exception& error) // also of CGAL, and of memory that is not there
+  {
+    pemesh::DomainMesh mesh;
+    mesh.Message = std::string("The domain could not be meshed: ") + error.what();
+    return mesh;
+  }
+}
+
+void WriteMesh(const pemesh::DomainMesh& mesh, const Layout& layout, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
+  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
+  {
+    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].x, mesh.Points[i].y, 0.0);
+  }
+  vtkNew<vtkCellArray> cells;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(PolygonIdArray);
+  vtkNew<vtkIntArray> families;
+  families->SetName(ElementFamilyArray);
+  for (std::size_t i = 0; i < mesh.Polygons.size(); ++i)
+  {
+    cells->InsertNextCell(static_cast<int>(mesh.Polygons[i].size()));
+    for (const int vertex : mesh.Polygons[i])
+    {
+      cells->InsertCellPoint(vertex);
+    }
+    ids->InsertNextValue(layout.Ids[i]);
+    families->InsertNextValue(layout.Families[i]);
+  }
+  for (const auto& triangle : mesh.Triangles)
+  {
+    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
+    ids->InsertNextValue(Filler);
+    families->InsertNextValue(Filler);
+  }
+  output->SetPoints(points);
+  output->SetPolys(cells);
+  output->GetCellData()->AddArray(families);
+  output->GetCellData()->AddArray(ids);
+}
+
+} // namespace
+
+void vtkPEMDomainMesher::SetAreaRuleByName(const std::string& name)
+{
+  const int rule = pemesh::FindAreaRule(name);
+  if (rule >= 0)
+  {
+    this->SetAreaRule(rule);
+    return;
+  }
+  std::vector<std::string> names;
+  for (const pemesh::AreaRule& candidate : pemesh::AreaRules())
+  {
+    names.emplace_back(candidate.Name);
+  }
+  vtkErrorMacro(<< "There is no area rule \"" << name << "\"; did you mean \""
+                << pemesh::NearestWord(name, names) << "\"?");
+}
+
+std::string vtkPEMDomainMesher::GetAreaRuleName() const
+{
+  return pemesh::AreaRules()[this->AreaRule].Name;
+}
+
+std::string vtkPEMDomainMesher::WhyMisconfigured() const
+{
+  if (std::isnan(this->MinimumAngle))
+  {
+    return "MinimumAngle is not a number, expected 0 to 33 degrees.";
+  }
+  if (this->AreaRule == AREA_CONSTANT && !(this->MaximumArea > 0.0))
+  {
+    return "MaximumArea is " + pemesh::FormatNumber(this->MaximumArea) + ", expected more than 0.";
+  }
+  return {};
+}
+
+int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
+  vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  const std::string misconfigured = this->WhyMisconfigured();
+  if (!misconfigured.empty())
+  {
+    vtkErrorMacro(<< misconfigured);
+    return 0;
+  }
+  if (pemesh::IsCaseFailed(input))
+  {
+    output->ShallowCopy(input);
+    return 1;
+  }
+  output->GetFieldData()->PassData(input->GetFieldData());
+  const std::string unusable =
+    input->GetNumberOfCells() > 0 ? pemesh::ElementAccess::WhyUnusable(input) : std::string();
+  if (!unusable.empty())
+  {
+    pemesh::SetCaseFailed(output, "invalid-layout", "The layout cannot be used: " + unusable + ".");
+    return 1;
+  }
+  const Layout layout = ReadLayout(input);
+  const std::string fault =
+    pemesh::FindLayoutFault(layout.Polygons, pemesh::GetFieldNumber(input, "t"));
+  if (!fault.empty())
+  {
+    pemesh::SetCaseFailed(output, "invalid-layout", fault);
+    return 1;
+  }
+
+  const std::vector<std::vector<pemesh::Point2>> polygons = CounterClockwisePolygons(layout);
+  pemesh::DomainMeshOptions options;
+  options.MinimumAngle = this->MinimumAngle;
+  options.MaximumArea = pemesh::AreaRules()[this->AreaRule].MaximumArea(
+    { polygons, this->MinimumAngle, this->MaximumArea });
+  options.PreservePolygons = this->PreservePolygons;
+  options.MaximumElements = static_cast<int>(this->MaximumNumberOfElements);
+  options.Progress = [this](double fraction) { return pemesh::ReportProgress(this, fraction); };
+  pemesh::SetFieldNumber(
+    output, "MaximumArea", std::isfinite(options.MaximumArea) ? options.MaximumArea : Undefined);
+  const pemesh::DomainMesh mesh = MeshOrExplain(polygons, options);
+  pemesh::SetFieldNumber(output, "AttainedMinimumAngle",
+    mesh.Status == pemesh::DomainMeshStatus::Done ? mesh.AttainedMinimumAngle : Undefined);
+  if (mesh.Status == pemesh::DomainMeshStatus::Done)
+  {
+    WriteMesh(mesh, layout, output);
+  }
+  else if (mesh.Status == pemesh::DomainMeshStatus::Failed)
+  {
+    pemesh::SetCaseFailed(output, "meshing-failed", mesh.Message);
+  }
+  else // stopped by the caller, who does not want the output
+  {
+    output->Initialize();
+  }
+  return 1;
+}
+
+void vtkPEMDomainMesher::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "AreaRule: " << this->GetAreaRuleName() << "\n";
+  os << indent << "MaximumArea: " << this->MaximumArea << "\n";
+  os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
+  os << indent << "PreservePolygons: " << this->PreservePolygons << "\n";
+  os << indent << "MaximumNumberOfElements: " << this->MaximumNumberOfElements << "\n";
+}

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderFiltersGeometry() { return 0; } }

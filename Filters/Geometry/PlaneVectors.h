@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Arithmetic of vectors in the plane, for the kernels of this folder.
+ */
+#ifndef pemesh_PlaneVectors_h
+#define pemesh_PlaneVectors_h
+
+#include "Point2.h"
+
+#include <cmath>
+
+namespace pemesh
+{
+
+inline Point2 operator-(const Point2& a, const Point2& b)
+{
+  return { a.x - b.x, a.y - b.y };
+}
+
+inline Point2 operator+(const Point2& a, const Point2& b)
+{
+  return { a.x + b.x, a.y + b.y };
+}
+
+inline double Dot(const Point2& a, const Point2& b)
+{
+  return a.x * b.x + a.y * b.y;
+}
+
+inline double Length(const Point2& a)
+{
+  return std::sqrt(Dot(a, a));
+}
+
+/** The unit normal to the left of a direction. */
+inline Point2 LeftOf(const Point2& direction)
+{
+  return { -direction.y, direction.x };
+}
+
+} // namespace pemesh
+
+#endif

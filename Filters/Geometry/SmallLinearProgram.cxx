@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SmallLinearProgram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pemesh
+{
+
+void SmallLinearProgram::Clear()
+{
+  this->Rows.clear();
+  this->Sides = 0;
+}
+
+void SmallLinearProgram::AddSide(const Point2& outwardNormal, double offset)
+{
+  this->Rows.push_back({ outwardNormal.x, outwardNormal.y, 0.0, offset });
+  ++this->Sides;
+}
+
+void SmallLinearProgram::AddBound(double height, const Point2& slope)
+{
+  this->Rows.push_back({ -slope.x, -slope.y, 1.0, height });
+}
+
+/**
+ * The lowest bound at the origin, and the two sides that meet where it is highest: the multipliers
+ * of this basis are not negative, whatever the other rows.
+ */
+bool SmallLinearProgram::StartBasis(Basis& basis) const
+{
+  const auto lowest =
+    std::min_element(this->Rows.begin() + static_cast<std::ptrdiff_t>(this->Sides),
+      this->Rows.end(), [](const Row& a, const Row& b) { return a.C < b.C; });
+  const double x = -lowest->X;
+  const double y = -lowest->Y;
+  double best = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < this->Sides; ++i)
+  {
+    const std::size_t j = i + 1 == this->Sides ? 0 : i + 1;
+    const Row& a = this->Rows[i];
+    const Row& b = this->Rows[j];
+    const double inside = std::min(a.X * y - a.Y * x, x * b.Y - y * b.X);
+    if (inside > best)
+    {
+      best = inside;
+      basis.Rows = { i, j, static_cast<std::size_t>(lowest - this->Rows.begin()) };
+    }
+  }
+  return this->Factorize(basis);
+}
+
+/** Inverts the three rows by cross products; false if they are dependent. */
+bool SmallLinearProgram::Factorize(Basis& basis) const
+{
+  const Row& a = this->Rows[basis.Rows[0]];
+  const Row& b = this->Rows[basis.Rows[1]];
+  const Row& c = this->Rows[basis.Rows[2]];
+  const std::array<double, 3> bc = { b.Y * c.R - b.R * c.Y, b.R * c.X - b.X * c.R,
+    b.X * c.Y - b.Y * c.X };
+  const std::array<double, 3> ca = { c.Y * a.R - c.R * a.Y, c.R * a.X - c.X * a.R,
+    c.X * a.Y - c.Y * a.X };
+  const std::array<double, 3> ab = { a.Y * b.R - a.R * b.Y, a.R * b.X - a.X * b.R,
+    a.X * b.Y - a.Y * b.X };
+  const double determinant = a.X * bc[0] + a.Y * bc[1] + a.R * bc[2];
+  if (!(std::abs(determinant) > 1e-300))
+  {
+    return false;
+  }
+  const double scale = 1.0 / determinant;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    basis.Inverse[i] = { bc[i] * scale, ca[i] * scale, ab[i] * scale };
+  }
+  basis.Multipliers = basis.Inverse[2];
+  return true;
+}
+
+std::size_t SmallLinearProgram::MostViolated(
+  const Basis& basis, Solution& solution, double tolerance) const
+{
+  const std::array<double, 3> c = { this->Rows[basis.Rows[0]].C, this->Rows[basis.Rows[1]].C,
+    this->Rows[basis.Rows[2]].C };
+  const auto Product = [&](std::size_t i)
+  { return basis.Inverse[i][0] * c[0] + basis.Inverse[i][1] * c[1] + basis.Inverse[i][2] * c[2]; };
+  const double x = Product(0);
+  const double y = Product(1);
+  const double r = Product(2);
+  solution.Position = { x, y };
+  solution.Height = r;
+  double worst = tolerance;
+  std::size_t violated = this->Rows.size();
+  for (std::size_t i = 0; i < this->Rows.size(); ++i)
+  {
+    const Row& row = this->Rows[i];
+    const double violation = row.X * x + row.Y * y + row.R * r - row.C;
+    if (violation > worst)
+    {
+      worst = violation;
+      violated = i;
+    }
+  }
+  return violated;
+}
+
+/** Brings a row into the basis; the ratio test keeps the multipliers from going negative. */
+bool SmallLinearProgram::Exchange(Basis& basis, std::size_t entering) const
+{
+  const Row& row = this->Rows[entering];
+  double least = std::numeric_limits<double>::infinity();
+  double pivot = 0.0;
+  std::size_t leaving = 3;
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    const double weight =
+      row.X * basis.Inverse[0][k] + row.Y * basis.Inverse[1][k] + row.R * basis.Inverse[2][k];
+    if (weight > 1e-14)
+    {
+      const double ratio = std::max(0.0, basis.Multipliers[k]) / weight;
+      if (ratio < least || (ratio == least && weight > pivot))
+      {
+        least = ratio;
+        pivot = weight;
+        leaving = k;
+      }
+    }
+  }
+  if (leaving == 3)
+  {
+    return false;
+  }
+  basis.Rows[leaving] = entering;
+  return this->Factorize(basis);
+}
+
+SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance) const
+{
+  Solution solution;
+  solution.Height = std::numeric_limits<double>::infinity();
+  Basis basis;
+  if (this->Sides < 3 || this->Rows.size() <= this->Sides || !this->StartBasis(basis))
+  {
+    return solution;
+  }
+  // Degenerate steps could cycle in theory; the cap turns that into an upper bound.
+  const std::size_t steps = 30 + this->Rows.size();
+  for (std::size_t step = 0; step < steps; ++step)
+  {
+    const std::size_t entering = this->MostViolated(basis, solution, tolerance);
+    if (entering == this->Rows.size())
+    {
+      solution.Optimal = true;
+      break;
+    }
+    if (!this->Exchange(basis, entering))
+    {
+      break;
+    }
+  }
+  return solution;
+}
+
+} // namespace pemesh

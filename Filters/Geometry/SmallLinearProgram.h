@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The highest point below some planes, above a convex region of the plane: the largest r with
+ * r <= Height_i + Slope_i . p for all bounds i, p in the region.
+ *
+ * This is the linear program behind the largest circle inside half planes, and behind upper
+ * bounds on a piece of a polygon. Solved by the dual simplex method with a basis of three rows
+ * (see e.g. V. Chvatal, Linear Programming, 1983, chapter 10): every step keeps a proven upper
+ * bound, so stopping early is safe.
+ */
+#ifndef pemesh_SmallLinearProgram_h
+#define pemesh_SmallLinearProgram_h
+
+#include "Point2.h"
+#include "pemeshFiltersGeometryModule.h" // For export macro
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace pemesh
+{
+
+class PEMESHFILTERSGEOMETRY_EXPORT SmallLinearProgram
+{
+public:
+  struct Solution
+  {
+    Point2 Position;
+    double Height = 0.0;  // at most the true optimum plus rounding only if Optimal
+    bool Optimal = false; // else Height is an upper bound of the optimum
+  };
+
+  /** Forgets region and bounds. */
+  void Clear();
+
+  /** The sides of the region, counter-clockwise: normal . p <= offset, normal of length one. */
+  void AddSide(const Point2& outwardNormal, double offset);
+
+  /** r <= height + slope . p. Add all sides first. */
+  void AddBound(double height, const Point2& slope);
+
+  /** Solves to within `tolerance` (absolute, in r). Needs three sides and one bound. */
+  Solution Solve(double tolerance) const;
+
+private:
+  struct Row // X x + Y y + R r <= C
+  {
+    double X;
+    double Y;
+    double R;
+    double C;
+  };
+  struct Basis
+  {
+    std::array<std::size_t, 3> Rows;
+    std::array<double, 3> Multipliers;
+    std::array<std::array<double, 3>, 3> Inverse;
+  };
+
+  bool StartBasis(Basis& basis) const;
+  bool Factorize(Basis& basis) const;
+  std::size_t MostViolated(const Basis& basis, Solution& solution, double tolerance) const;
+  bool Exchange(Basis& basis, std::size_t entering) const;
+
+  std::vector<Row> Rows;
+  std::size_t Sides = 0;
+};
+
+} // namespace pemesh
+
+#endif

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderFiltersMetrics() { return 0; } }

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderFiltersSolvers() { return 0; } }

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolverAnswer.h"
+
+#include "NumberText.h"
+#include "SolverDescription.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr const char* SolutionSuffix = "-solution.txt";
+constexpr const char* GroundTruthSuffix = "-ground-truth.txt";
+
+std::filesystem::path AnswerFile(
+  const std::filesystem::path& folder, const std::string& stem, const std::string& suffix)
+{
+  return folder / (stem + suffix);
+}
+
+/** A word of a file as it may stand in a message, whatever the file holds. */
+std::string Printable(std::string_view word)
+{
+  constexpr std::size_t longest = 30;
+  std::string text;
+  for (const char c : word.substr(0, longest))
+  {
+    text += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return text + (word.size() > longest ? "…" : "");
+}
+
+/** All numbers of a file, which must be `expected` finite ones. */
+vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, vtkIdType expected)
+{
+  const std::string text = ReadTextFile(path);
+  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
+  numbers->SetNumberOfTuples(expected);
+  const std::string_view all = text;
+  constexpr std::string_view blanks = " \t\r\n";
+  vtkIdType count = 0;
+  std::size_t line = 1;
+  std::size_t counted = 0;
+  for (std::size_t begin = all.find_first_not_of(blanks); begin != std::string_view::npos;)
+  {
+    const std::size_t end = std::min(all.find_first_of(blanks, begin), all.size());
+    const std::string_view word = all.substr(begin, end - begin);
+    line += static_cast<std::size_t>(std::count(all.begin() + static_cast<std::ptrdiff_t>(counted),
+      all.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
+    counted = begin;
+    const std::optional<double> number = ParseNumber(word);
+    if (!number || !std::isfinite(*number))
+    {
+      throw std::runtime_error("The file \"" + path.filename().string() +
+        "\" of the solver has \"" + Printable(word) + "\" in line " + std::to_string(line) +
+        ", where a finite number is expected.");
+    }
+    if (count < expected)
+    {
+      numbers->SetValue(count, *number);
+    }
+    ++count;
+    begin = all.find_first_not_of(blanks, end);
+  }
+  if (count != expected)
+  {
+    throw std::runtime_error("The file \"" + path.filename().string() + "\" of the solver has " +
+      std::to_string(count) + (count == 1 ? " number" : " numbers") + " and should have " +
+      std::to_string(expected) + (expected == 1 ? "." : ", one for each vertex of the mesh."));
+  }
+  return numbers;
+}
+
+vtkSmartPointer<vtkDoubleArray> NeedNumbers(const std::filesystem::path& path, vtkIdType expected)
+{
+  std::error_code error;
+  if (!std::filesystem::exists(path, error))
+  {
+    throw std::runtime_error(
+      "The solver has not written the file \"" + path.filename().string() + "\".");
+  }
+  return ReadNumbers(path, expected);
+}
+
+} // namespace
+
+std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& description,
+  const std::filesystem::path& folder, const std::string& stem)
+{
+  std::vector<std::filesystem::path> files{ AnswerFile(folder, stem, SolutionSuffix),
+    AnswerFile(folder, stem, GroundTruthSuffix) };
+  for (const SolverPerformance& performance : description.Performances)
+  {
+    files.push_back(AnswerFile(folder, stem, '-' + performance.Name + ".txt"));
+  }
+  return files;
+}
+
+SolverAnswer ReadSolverAnswer(const SolverDescription& description,
+  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices)
+{
+  SolverAnswer answer;
+  answer.Solution = NeedNumbers(AnswerFile(folder, stem, SolutionSuffix), vertices);
+  const std::filesystem::path truth = AnswerFile(folder, stem, GroundTruthSuffix);
+  std::error_code error;
+  if (std::filesystem::exists(truth, error))
+  {
+    answer.GroundTruth = ReadNumbers(truth, vertices);
+  }
+  for (const SolverPerformance& performance : description.Performances)
+  {
+    const auto number = NeedNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), 1);
+    answer.Performances.push_back(number->GetValue(0));
+  }
+  return answer;
+}
+
+} // namespace pemesh

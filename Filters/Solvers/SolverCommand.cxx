@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolverCommand.h"
+
+#include "ChildProcess.h"
+#include "SolverDescription.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include <dlfcn.h>
+#include <unistd.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+std::string KnownPlaceholders(const std::map<std::string, std::string>& values)
+{
+  std::string text;
+  for (const auto& [name, value] : values)
+  {
+    text += (text.empty() ? "{" : " {") + name + '}';
+  }
+  return text;
+}
+
+std::string ExpandArgument(
+  const std::string& argument, const std::map<std::string, std::string>& values)
+{
+  std::string text;
+  for (std::size_t i = 0; i < argument.size(); ++i)
+  {
+    const char c = argument[i];
+    if ((c == '{' || c == '}') && i + 1 < argument.size() && argument[i + 1] == c)
+    {
+      text += c;
+      ++i;
+      continue;
+    }
+    if (c != '{')
+    {
+      text += c;
+      continue;
+    }
+    const std::size_t end = argument.find('}', i);
+    if (end == std::string::npos)
+    {
+      throw std::runtime_error("The argument \"" + argument +
+        "\" of the solver's command opens a brace that is never closed; write \"{{\" for a brace.");
+    }
+    const std::string name = argument.substr(i + 1, end - i - 1);
+    const auto value = values.find(name);
+    if (value == values.end())
+    {
+      throw std::runtime_error("The argument \"" + argument +
+        "\" of the solver's command has the unknown placeholder {" + name + "}; known are " +
+        KnownPlaceholders(values) + ", and \"{{\" is a brace.");
+    }
+    text += value->second;
+    i = end;
+  }
+  return text;
+}
+
+bool IsProgram(const std::filesystem::path& path)
+{
+  std::error_code error;
+  return std::filesystem::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
+}
+
+/** Where programs of PEMesh may be: beside the running one, and in bin beside this library's lib.
+ */
+std::vector<std::filesystem::path> ProgramFolders()
+{
+  std::vector<std::filesystem::path> folders;
+  std::error_code error;
+  const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error)
+  {
+    folders.push_back(self.parent_path());
+  }
+  Dl_info library = {};
+  if (dladdr(reinterpret_cast<const void*>(&FindSolverProgram), &library) && library.dli_fname)
+  {
+    const auto file = std::filesystem::weakly_canonical(library.dli_fname, error);
+    folders.push_back(file.parent_path().parent_path() / "bin");
+  }
+  return folders;
+}
+
+} // namespace
+
+std::vector<std::string> ExpandCommand(
+  const std::vector<std::string>& command, const std::map<std::string, std::string>& values)
+{
+  std::vector<std::string> arguments;
+  for (const std::string& argument : command)
+  {
+    arguments.push_back(ExpandArgument(argument, values));
+  }
+  return arguments;
+}
+
+std::filesystem::path FindSolverProgram(
+  const std::string& program, const std::filesystem::path& folder)
+{
+  std::error_code error;
+  if (program.find('/') != std::string::npos)
+  {
+    const std::filesystem::path path =
+      std::filesystem::absolute(folder / program, error).lexically_normal();
+    return std::filesystem::is_regular_file(path, error) ? path : std::filesystem::path();
+  }
+  std::vector<std::filesystem::path> folders = ProgramFolders();
+  const char* variable = std::getenv("PATH");
+  std::string path = variable ? variable : "/usr/local/bin:/usr/bin:/bin";
+  for (std::size_t begin = 0; begin < path.size();)
+  {
+    const std::size_t end = std::min(path.find(':', begin), path.size());
+    folders.emplace_back(path.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  for (const std::filesystem::path& candidate : folders)
+  {
+    // An empty entry of PATH means the current folder: never searched, as a matter of safety.
+    if (!program.empty() && !candidate.empty() && IsProgram(candidate / program))
+    {
+      return std::filesystem::absolute(candidate / program, error);
+    }
+  }
+  return {};
+}
+
+std::string AskSolverVersion(const SolverDescription& description)
+{
+  if (description.VersionCommand.empty())
+  {
+    return {};
+  }
+  std::string folder = (std::filesystem::temp_directory_path() / "pemesh-XXXXXX").string();
+  if (!mkdtemp(folder.data()))
+  {
+    return {};
+  }
+  std::string version;
+  try
+  {
+    ChildProcess child;
+    child.Arguments = ExpandCommand(description.VersionCommand, {});
+    child.Arguments[0] = FindSolverProgram(child.Arguments[0], description.Folder);
+    child.WorkingDirectory = folder;
+    child.OutputFile = std::filesystem::path(folder) / "version";
+    child.OutputLimit = 4096;
+    child.TimeLimit = 10.0;
+    if (RunChildProcess(child).How == ChildProcessResult::Ending::Exited)
+    {
+      version = ReadTextFile(child.OutputFile);
+      version.resize(std::min(version.find_first_of("\r\n"), version.size()));
+    }
+  }
+  catch (const std::runtime_error&)
+  {
+    version.clear(); // a version that cannot be asked for is not known
+  }
+  std::error_code ignored;
+  std::filesystem::remove_all(folder, ignored);
+  return version;
+}
+
+} // namespace pemesh

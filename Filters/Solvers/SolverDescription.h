@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * What PEMesh knows about an external solver: how to call it, what it can be asked and what it
+ * tells. Plain data; descriptions are read from JSON in IO/Study.
+ *
+ * The contract: called on the mesh file M.off, the solver leaves in its output folder
+ * M-solution.txt and, if it knows, M-ground-truth.txt (one finite number a vertex, in the order of
+ * the vertices of the mesh), and M-<performance>.txt with one finite number for each performance.
+ * It ends with exit status 0.
+ */
+#ifndef pemesh_SolverDescription_h
+#define pemesh_SolverDescription_h
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace pemesh
+{
+
+/** Something that a run may choose: the placeholder {Name} in the command. */
+struct SolverOption
+{
+  std::string Name;
+  std::string Type = "string"; // string | integer | number
+  std::string Default;
+  std::string Description;
+  bool operator==(const SolverOption&) const = default;
+};
+
+/** A number that the solver writes for each mesh. */
+struct SolverPerformance
+{
+  std::string Name;
+  std::string Label;
+  std::string Scale = "linear"; // linear | log
+  bool Measured = false;        // depends on the machine: seconds, bytes
+  bool operator==(const SolverPerformance&) const = default;
+};
+
+struct SolverDescription
+{
+  std::string Name;
+  std::string Label;
+  /**
+   * The argument list, program first; no shell sees it. Placeholders: {mesh} the mesh file, {node}
+   * and {ele} the two files of the format node, {output} the output folder, {stem} the name that
+   * the files written must begin with, {threads}, and every option by its name ({order},
+   * {problem}, …). "{{" and "}}" are braces.
+   */
+  std::vector<std::string> Command;
+  std::string MeshFormat = "off"; // a name of pemesh::MeshFormats()
+  std::vector<SolverOption> Options;
+  std::vector<SolverPerformance> Performances;
+  double TimeLimit = 0.0; // seconds, 0 = none
+  std::vector<std::string> VersionCommand;
+  std::filesystem::path Folder; // of the description: programs named by a relative path begin here
+  bool operator==(const SolverDescription&) const = default;
+};
+
+} // namespace pemesh
+
+#endif

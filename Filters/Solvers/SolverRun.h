@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * One run of an external solver on one mesh, from the mesh to its answer; private to the filter.
+ */
+#ifndef pemesh_SolverRun_h
+#define pemesh_SolverRun_h
+
+#include "SolverAnswer.h"
+#include "SolverDescription.h"
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+class vtkPolyData;
+
+namespace pemesh
+{
+
+struct SolverRun
+{
+  SolverDescription Description;
+  std::map<std::string, std::string> Options; // every option with its value
+  std::filesystem::path WorkDirectory;        // empty: a temporary folder
+  int Threads = 1;
+  std::function<bool(double seconds)> GoOn; // false cancels
+};
+
+struct SolverOutcome
+{
+  std::string Status; // "ok" or what went wrong, in a word
+  std::string Message;
+  SolverAnswer Answer; // empty unless ok
+};
+
+/** Throws std::runtime_error where no mesh could ever be solved like this. */
+void CheckSolverRun(const SolverRun& run);
+
+/** Never throws for what the mesh, the disk or the solver does: the outcome says it. */
+SolverOutcome RunSolver(const SolverRun& run, vtkPolyData* mesh);
+
+} // namespace pemesh
+
+#endif

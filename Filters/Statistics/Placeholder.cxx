@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderFiltersStatistics() { return 0; } }

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The mesh file formats, as one table, and the functions that read and write by extension.
+ *
+ * What holds for every format:
+ *  - Vertices keep the number and the order of the file, used by an element or not, because the
+ *    files of a solver hold one number a vertex. STL alone has no vertices of its own: corners
+ *    with the same coordinates are one vertex, in the order in which they first appear.
+ *  - Coordinates are doubles, read and written so that every bit survives (binary STL: floats).
+ *  - Meshes are planar: a third coordinate must be zero and is dropped.
+ *  - Elements that are clockwise in the file are reversed, the first vertex staying first. The
+ *    sign of the area is exact, so that no needle is turned by rounding.
+ *  - Nothing depends on the locale; files are written whole or not at all.
+ *  - Whatever is wrong with a file is a std::runtime_error with one sentence that names the file
+ *    and, in a text file, the line.
+ *
+ * To add a format: one entry in the table of MeshFormats.cxx.
+ */
+#ifndef pemesh_MeshFormats_h
+#define pemesh_MeshFormats_h
+
+#include "pemeshIOMeshModule.h" // For export macro
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <vtkSmartPointer.h> // For return type
+
+class vtkPolyData;
+
+namespace pemesh
+{
+
+struct MeshFormat
+{
+  /** How a study or a solver description names it: off, obj, node, node-plain, stl, vtp. */
+  const char* Name;
+  const char* Label;
+  /** Lower case, with the dot; the first one is the one written. */
+  std::span<const char* const> Extensions;
+  vtkSmartPointer<vtkPolyData> (*Read)(const std::filesystem::path& path);
+  void (*Write)(const std::filesystem::path& path, vtkPolyData* mesh);
+  /** Whether a file keeps the order of the vertices, which a solver's answer needs. */
+  bool KeepsVertices;
+};
+
+/** All formats. Where two share an extension, the first one is the one meant by it. */
+PEMESHIOMESH_EXPORT std::span<const MeshFormat> MeshFormats();
+
+/** By its name, or null. */
+PEMESHIOMESH_EXPORT const MeshFormat* FindMeshFormat(std::string_view name);
+
+/** By the extension of a file, whatever its case, or null. */
+PEMESHIOMESH_EXPORT const MeshFormat* FindMeshFormatOfFile(const std::filesystem::path& path);
+
+/** Throws std::runtime_error where the extension is unknown or the file is bad. */
+PEMESHIOMESH_EXPORT vtkSmartPointer<vtkPolyData> ReadMesh(const std::filesystem::path& path);
+
+/**
+ * Throws std::runtime_error where the extension is unknown, the mesh cannot be written (no
+ * polygons, lines, coordinates that are not finite) or the disk refuses.
+ */
+PEMESHIOMESH_EXPORT void WriteMesh(const std::filesystem::path& path, vtkPolyData* mesh);
+
+} // namespace pemesh
+
+#endif

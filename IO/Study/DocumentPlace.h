@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Where in a document a value stands, for messages.
+ */
+#ifndef pemesh_DocumentPlace_h
+#define pemesh_DocumentPlace_h
+
+#include <stdexcept>
+#include <string>
+
+namespace pemesh
+{
+
+class DocumentPlace
+{
+public:
+  explicit DocumentPlace(const std::string& source)
+    : Source(source)
+  {
+  }
+
+  DocumentPlace Member(const std::string& key) const
+  {
+    return { this->Source, this->Path.empty() ? key : this->Path + "." + key };
+  }
+
+  DocumentPlace Item(std::size_t index) const
+  {
+    return { this->Source, this->Path + "[" + std::to_string(index) + "]" };
+  }
+
+  /** "\"study.json\": mesh.min-angle " + what; `what` ends the sentence. */
+  [[noreturn]] void Fail(const std::string& what) const
+  {
+    throw std::runtime_error("\"" + this->Source +
+      "\": " + (this->Path.empty() ? "the document" : this->Path) + " " + what);
+  }
+
+private:
+  DocumentPlace(const std::string& source, const std::string& path)
+    : Source(source)
+    , Path(path)
+  {
+  }
+
+  std::string Source;
+  std::string Path;
+};
+
+} // namespace pemesh
+
+#endif

@@ -1,1 +1,0 @@
-namespace pemesh { int PlaceholderIOStudy() { return 0; } }

@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolverDescriptionFile.h"
+
+#include "MeshFormats.h"
+#include "StudyFields.h"
+#include "TextFile.h"
+
+#include <set>
+
+namespace pemesh
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+/** Placeholders of a command that every solver has. */
+const std::vector<std::string> CommonPlaceholders{ "mesh", "node", "ele", "output", "stem",
+  "threads" };
+
+/** Keys of a run in a study, which no option can be called. */
+const std::vector<std::string> RunKeys{ "solver", "name", "time-limit", "version" };
+
+// --- options -------------------------------------------------------------------------------------
+
+/** A value of an option as text, checked against its type; `json` is of a description or a study.
+ */
+std::string ReadOptionValue(
+  const JsonValue& json, const DocumentPlace& place, const std::string& type)
+{
+  if (type == "integer")
+  {
+    ReadInteger(json, place, { .Least = -1e9, .Greatest = 1e9 });
+    return FormatJsonCompact(JsonNumber(json.ToNumber()));
+  }
+  return type == "number" ? FormatNumber(ReadNumber(json, place, {})) : ReadText(json, place);
+}
+
+/** The text of a value as what it is. */
+StudyScalar ScalarOfType(const std::string& text, const std::string& type)
+{
+  if (type == "integer")
+  {
+    return std::int64_t{ ParseInteger(text).value_or(0) };
+  }
+  return type == "number" ? StudyScalar(ParseNumber(text).value_or(0.0)) : StudyScalar(text);
+}
+
+JsonValue JsonOfScalar(const StudyScalar& value)
+{
+  return std::visit([](const auto& of) { return JsonValue{ of }; }, value);
+}
+
+Field<SolverOption> DefaultField()
+{
+  return { "default", "a value of the type", "Without one, a run must give a number.",
+    [](const JsonValue& json, const DocumentPlace& place, SolverOption& option)
+    { option.Default = ReadOptionValue(json, place, option.Type); },
+    [](const SolverOption& option)
+    {
+      return option.Default.empty()
+        ? std::nullopt
+        : std::optional(JsonOfScalar(ScalarOfType(option.Default, option.Type)));
+    } };
+}
+
+FieldTable<SolverOption> OptionFields()
+{
+  FieldTable<SolverOption> table;
+  table.Fields = {
+    TextField("name", &SolverOption::Name, "The placeholder in the command.").Required(),
+    ChoiceField(
+      "type", &SolverOption::Type, { "string", "integer", "number" }, "What a value may be."),
+    DefaultField(),
+    TextField("description", &SolverOption::Description, "One sentence for the user.")
+  };
+  table.Finish = [](const DocumentPlace& place, SolverOption& option)
+  {
+    for (const std::vector<std::string>* reserved : { &CommonPlaceholders, &RunKeys })
+    {
+      if (std::find(reserved->begin(), reserved->end(), option.Name) != reserved->end())
+      {
+        place.Member("name").Fail(
+          "is \"" + option.Name + "\", which has a meaning already: call the option otherwise.");
+      }
+    }
+  };
+  return table;
+}
+
+// --- the description -----------------------------------------------------------------------------
+
+FieldTable<SolverPerformance> PerformanceFields()
+{
+  FieldTable<SolverPerformance> table;
+  table.Fields = { TextField(
+                     "name", &SolverPerformance::Name, "The solver writes it to <mesh>-<name>.txt.")
+                     .Required(),
+    TextField("label", &SolverPerformance::Label, "What people read, with the unit."),
+    ChoiceField("scale", &SolverPerformance::Scale, { "linear", "log" }, "How charts show it."),
+    BooleanField("measured", &SolverPerformance::Measured,
+      "Whether it depends on the machine (seconds, bytes).") };
+  table.Finish = [](const DocumentPlace& place, SolverPerformance& performance)
+  { CheckFileName(place.Member("name"), performance.Name); };
+  return table;
+}
+
+/** Formats whose vertices a solver can answer for. */
+std::vector<std::string> SolverMeshFormats()
+{
+  std::vector<std::string> names;
+  for (const MeshFormat& format : MeshFormats())
+  {
+    if (format.KeepsVertices)
+    {
+      names.emplace_back(format.Name);
+    }
+  }
+  return names;
+}
+
+/** "{order}" names the placeholder order; "{{" and "}}" are braces. */
+void CheckPlaceholders(
+  const std::string& argument, const DocumentPlace& place, const std::vector<std::string>& known)
+{
+  for (std::size_t i = 0; i < argument.size(); ++i)
+  {
+    const char c = argument[i];
+    if (c != '{' && c != '}')
+    {
+      continue;
+    }
+    if (i + 1 < argument.size() && argument[i + 1] == c)
+    {
+      ++i;
+      continue;
+    }
+    const std::size_t end = c == '{' ? argument.find('}', i) : std::string::npos;
+    if (end == std::string::npos)
+    {
+      place.Fail("is \"" + argument +
+        "\", with a brace that is not paired: write {{ or }} for "
+        "a brace that is no placeholder.");
+    }
+    const std::string name = argument.substr(i + 1, end - i - 1);
+    if (std::find(known.begin(), known.end(), name) == known.end())
+    {
+      place.Fail("uses the placeholder {" + name + "}, which is no option; did you mean {" +
+        NearestWord(name, known) + "}?");
+    }
+    i = end;
+  }
+}
+
+template <typename Entry>
+void CheckUnique(const std::vector<Entry>& entries, const DocumentPlace& place)
+{
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    if (!seen.insert(entries[i].Name).second)
+    {
+      place.Item(i).Member("name").Fail("is \"" + entries[i].Name + "\", which is taken.");
+    }
+  }
+}
+
+void FinishDescription(const DocumentPlace& place, SolverDescription& description)
+{
+  CheckFileName(place.Member("name"), description.Name);
+  CheckUnique(description.Options, place.Member("options"));
+  CheckUnique(description.Performances, place.Member("performances"));
+  std::vector<std::string> known = CommonPlaceholders;
+  for (const SolverOption& option : description.Options)
+  {
+    known.push_back(option.Name);
+  }
+  const DocumentPlace command = place.Member("command");
+  if (description.Command.empty() || description.Command.front().empty())
+  {
+    command.Fail("is empty: name the program and its arguments.");
+  }
+  for (std::size_t i = 0; i < description.Command.size(); ++i)
+  {
+    CheckPlaceholders(description.Command[i], command.Item(i), known);
+  }
+}
+
+Field<SolverDescription> ArgumentsField(
+  const char* key, std::vector<std::string> SolverDescription::*member, const char* doc)
+{
+  Field<SolverDescription> field = TextsField(key, member, doc);
+  field.Type = "list of texts";
+  field.Read = [member](
+                 const JsonValue& json, const DocumentPlace& place, SolverDescription& description)
+  {
+    if (json.As<std::string>())
+    {
+      place.Fail("is one text where a list of arguments is expected, the program first: no shell "
+                 "splits it.");
+    }
+    description.*member = ReadTexts(json, place);
+  };
+  field.Write = [member](const SolverDescription& description)
+  { return WriteTextList(description.*member); };
+  return field;
+}
+
+const FieldTable<SolverDescription>& DescriptionFields()
+{
+  static const FieldTable<SolverDescription> table = []
+  {
+    FieldTable<SolverDescription> result;
+    result.Fields = {
+      TextField("name", &SolverDescription::Name, "What studies call the solver.").Required(),
+      TextField("label", &SolverDescription::Label, "What people read."),
+      ArgumentsField("command", &SolverDescription::Command,
+        "The argument list, with placeholders {mesh}, {output}, {stem}, options, …")
+        .Required(),
+      ChoiceField("mesh-format", &SolverDescription::MeshFormat, SolverMeshFormats(),
+        "The format in which it reads meshes."),
+      ListField("options", &SolverDescription::Options, OptionFields(), "What a run can choose."),
+      ListField("performances", &SolverDescription::Performances, PerformanceFields(),
+        "The numbers it writes for each mesh."),
+      NumberField("time-limit", &SolverDescription::TimeLimit, { .Least = 0.0 },
+        "Seconds a mesh, 0 for none."),
+      ArgumentsField("version-command", &SolverDescription::VersionCommand,
+        "The argument list that makes it print its version.")
+    };
+    result.Finish = FinishDescription;
+    return result;
+  }();
+  return table;
+}
+
+// --- runs of a study -----------------------------------------------------------------------------
+
+/** The options of a run in the order of the description, the defaults filled in. */
+void CompleteOptions(
+  StudySolver& run, const SolverDescription& description, const DocumentPlace& place)
+{
+  std::vector<std::string> known = NamesOf(description.Options);
+  known.insert(known.end(), RunKeys.begin(), RunKeys.end());
+  for (const auto& [key, value] : run.Options)
+  {
+    if (std::find(known.begin(), known.end(), key) == known.end())
+    {
+      place.Member(key).Fail("is not an option of the solver " + description.Name +
+        "; did you mean " + NearestWord(key, known) + "?");
+    }
+  }
+  std::vector<std::pair<std::string, StudyScalar>> options;
+  for (const SolverOption& option : description.Options)
+  {
+    const auto given = std::find_if(run.Options.begin(), run.Options.end(),
+      [&](const auto& entry) { return entry.first == option.Name; });
+    std::string text = option.Default;
+    if (given != run.Options.end())
+    {
+      text = ReadOptionValue(JsonOfScalar(given->second), place.Member(option.Name), option.Type);
+    }
+    else if (text.empty() && option.Type != "string")
+    {
+      place.Member(option.Name)
+        .Fail("is missing: the solver " + description.Name + " has no default for it.");
+    }
+    options.emplace_back(option.Name, ScalarOfType(text, option.Type));
+  }
+  run.Options = std::move(options);
+}
+
+std::string ShowFolders(const std::vector<fs::path>& folders)
+{
+  std::string text;
+  for (const fs::path& folder : folders)
+  {
+    text += (text.empty() ? "\"" : ", \"") + folder.string() + "\"";
+  }
+  return text.empty() ? "no folder" : text;
+}
+
+} // namespace
+
+SolverDescription ParseSolverDescription(std::string_view text, const fs::path& path)
+{
+  SolverDescription description;
+  const DocumentPlace place(path.string());
+  ReadFields(DescriptionFields(), ParseJson(text, path.string()), place, description);
+  if (description.Label.empty())
+  {
+    description.Label = description.Name;
+  }
+  for (SolverPerformance& performance : description.Performances)
+  {
+    performance.Label = performance.Label.empty() ? performance.Name : performance.Label;
+  }
+  description.Folder = path.parent_path();
+  return description;
+}
+
+SolverDescription ReadSolverDescription(const fs::path& path)
+{
+  return ParseSolverDescription(ReadTextFile(path), path);
+}
+
+std::string FormatSolverDescription(const SolverDescription& description)
+{
+  return FormatJson(WriteFields(DescriptionFields(), description));
+}
+
+std::vector<FoundSolver> ListSolvers(const std::vector<fs::path>& folders)
+{
+  std::vector<FoundSolver> all;
+  std::set<std::string> seen;
+  for (const fs::path& folder : folders)
+  {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+      if (entry->path().extension() == ".json")
+      {
+        files.push_back(entry->path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+    {
+      FoundSolver found;
+      found.File = file;
+      try
+      {
+        found.Description = ReadSolverDescription(file);
+      }
+      catch (const std::runtime_error& problem)
+      {
+        found.Description.Name = file.stem().string();
+        found.Error = problem.what();
+      }
+      if (seen.insert(found.Description.Name).second)
+      {
+        all.push_back(std::move(found));
+      }
+    }
+  }
+  std::sort(all.begin(), all.end(),
+    [](const FoundSolver& a, const FoundSolver& b)
+    { return a.Description.Name < b.Description.Name; });
+  return all;
+}
+
+SolverDescription FindSolver(
+  const std::string& nameOrFile, const fs::path& base, const std::vector<fs::path>& folders)
+{
+  if (fs::path(nameOrFile).extension() == ".json")
+  {
+    return ReadSolverDescription((base / nameOrFile).lexically_normal());
+  }
+  std::vector<std::string> names;
+  for (const FoundSolver& found : ListSolvers(folders))
+  {
+    names.push_back(found.Description.Name);
+    if (found.Description.Name == nameOrFile)
+    {
+      if (!found.Error.empty())
+      {
+        throw std::runtime_error(found.Error);
+      }
+      return found.Description;
+    }
+  }
+  const std::string nearest = NearestWord(nameOrFile, names);
+  throw std::runtime_error("No solver is called \"" + nameOrFile + "\"" +
+    (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + " (looked in " +
+    ShowFolders(folders) + "; PEMESH_SOLVERS adds folders.)");
+}
+
+std::vector<SolverDescription> FindStudySolvers(Study& study, const std::vector<fs::path>& folders)
+{
+  std::vector<SolverDescription> descriptions;
+  for (StudySolver& run : study.Solvers)
+  {
+    const DocumentPlace place =
+      DocumentPlace(study.Name).Member("solvers").Item(descriptions.size());
+    SolverDescription description = FindSolver(run.Solver, study.Folder, folders);
+    CompleteOptions(run, description, place);
+    if (!run.TimeLimit)
+    {
+      run.TimeLimit = description.TimeLimit;
+    }
+    descriptions.push_back(std::move(description));
+  }
+  return descriptions;
+}
+
+} // namespace pemesh

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * A study: everything needed to make (or read) a family of meshes, measure them, solve on them and
+ * plot the result. Plain data; StudyFile.h reads it from JSON and writes it back. The defaults here
+ * are the defaults of the document, and the ranges are those of the tables in StudyFile.cxx.
+ */
+#ifndef pemesh_Study_h
+#define pemesh_Study_h
+
+#include "pemeshIOStudyModule.h" // For export macro
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace pemesh
+{
+
+/** A value whose type is known only to whom it is meant for: a solver's option, a swept value. */
+using StudyScalar = std::variant<bool, std::int64_t, double, std::string>;
+
+/** As text, for SetOption and for messages: "true", "2", "0.5", "franke". */
+PEMESHIOSTUDY_EXPORT std::string FormatScalar(const StudyScalar& value);
+
+/** NaN for a text or a truth value. */
+PEMESHIOSTUDY_EXPORT double ScalarToNumber(const StudyScalar& value);
+
+/** One placed polygon of a parametric family. */
+struct StudyPolygon
+{
+  std::string Family;
+  std::string Name; // "" = named after its place in the list and its family
+  std::array<double, 2> Center{ 0.5, 0.5 };
+  double Scale = 1.0;
+  double Rotation = 0.0; // degrees
+  int Count = 0;         // teeth, sides or spikes; 0 where the family counts nothing
+  double From = 0.0;     // its own deformation is From + t (To - From)
+  double To = 1.0;
+  bool operator==(const StudyPolygon&) const = default;
+};
+
+/** One swept parameter: `Values` if there are any, else `Count` equidistant ones. */
+struct StudySweep
+{
+  std::string Parameter = "t";
+  double From = 0.0;
+  double To = 0.9;
+  int Count = 20;
+  std::vector<StudyScalar> Values;
+  bool operator==(const StudySweep&) const = default;
+};
+
+/** The values that a parameter takes, in order. */
+PEMESHIOSTUDY_EXPORT std::vector<StudyScalar> SweepValues(const StudySweep& sweep);
+
+/** Bound on the area of the triangles around the polygons. */
+struct StudyMaximumArea
+{
+  std::string Rule = "diagonal"; // none | shortest-edge | diagonal | constant
+  double Value = 0.0;            // of the rule constant only
+  bool operator==(const StudyMaximumArea&) const = default;
+};
+
+/** How the domain around the polygons is meshed. */
+struct StudyMesh
+{
+  StudyMaximumArea MaximumArea;
+  double MinimumAngle = 20.0; // degrees
+  bool PreservePolygons = false;
+  bool operator==(const StudyMesh&) const = default;
+};
+
+/** One run of a solver on every mesh. */
+struct StudySolver
+{
+  std::string Solver; // name of a description, or path of a .json file (relative to the study)
+  std::string Name;   // of the run: unique in the study, leads its columns
+  std::vector<std::pair<std::string, StudyScalar>> Options;
+  std::optional<double> TimeLimit; // seconds, 0 = none; unset = the description's
+  std::string Version;             // what the solver said of itself, recorded in the results
+  bool operator==(const StudySolver&) const = default;
+};
+
+/** One figure. */
+struct StudyPlot
+{
+  std::string Kind; // line | scatter | mesh | overview
+  std::string X;    // a column (line and scatter)
+  std::vector<std::string> Y;
+  std::string Log; // "" | x | y | xy
+  std::string ColorBy;
+  std::string Highlight = "none"; // none | min | max | both (mesh): the extreme elements of ColorBy
+  int Case = -1;                  // which mesh (mesh, overview); negative counts from the last one
+  std::string Title;
+  std::string File; // with extension png, svg or pdf; never empty after reading, unique
+  bool operator==(const StudyPlot&) const = default;
+};
+
+struct StudyOutput
+{
+  std::vector<std::string> Formats{ "vtp" };
+  bool operator==(const StudyOutput&) const = default;
+};
+
+struct Study
+{
+  int Version = 1;       // of the document
+  std::string WrittenBy; // program and version, recorded in the results
+  std::string Name;
+  std::vector<StudyPolygon> Polygons;
+  std::vector<std::string> Meshes; // files and globs, relative to Folder; not empty = no Polygons
+  std::vector<StudySweep> Sweep;
+  StudyMesh Mesh;
+  std::optional<std::vector<std::string>> Metrics; // unset = all
+  std::vector<StudySolver> Solvers;
+  std::vector<StudyPlot> Plots;
+  StudyOutput Output;
+  std::filesystem::path Folder; // of the document: what relative paths are relative to; not written
+  bool operator==(const Study&) const = default;
+};
+
+/** True for a study of mesh files, false for one that makes its meshes. */
+inline bool HasMeshFiles(const Study& study)
+{
+  return !study.Meshes.empty();
+}
+
+/** The values of t, in order; empty for a study of mesh files. */
+PEMESHIOSTUDY_EXPORT std::vector<double> StudyTimes(const Study& study);
+
+/**
+ * The mesh files of a study in the order of its patterns, those of one pattern sorted by name
+ * with numbers by value (mesh2 before mesh10), each file once. Throws std::runtime_error naming a
+ * pattern that matches nothing.
+ */
+PEMESHIOSTUDY_EXPORT std::vector<std::filesystem::path> FindStudyMeshes(const Study& study);
+
+} // namespace pemesh
+
+#endif

@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StudyFields.h"
+
+#include <set>
+
+namespace pemesh
+{
+
+namespace
+{
+
+Field<StudySolver> TimeLimitField()
+{
+  return { "time-limit", "number at least 0",
+    "Seconds a mesh, 0 for none; by default the solver's.",
+    [](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
+    { solver.TimeLimit = ReadNumber(json, place, { .Least = 0.0 }); },
+    [](const StudySolver& solver)
+    { return solver.TimeLimit ? std::optional(JsonNumber(*solver.TimeLimit)) : std::nullopt; } };
+}
+
+/** The order of a run, for its name, or "". */
+std::string OrderOf(const StudySolver& solver)
+{
+  for (const auto& [key, value] : solver.Options)
+  {
+    if (key == "order")
+    {
+      return FormatScalar(value);
+    }
+  }
+  return {};
+}
+
+/** The name of a file without its folder and ".json", or the name itself. */
+std::string StemOf(const std::string& solver)
+{
+  const std::filesystem::path path(solver);
+  return path.extension() == ".json" ? path.stem().string() : solver;
+}
+
+} // namespace
+
+void CheckFileName(const DocumentPlace& place, const std::string& name)
+{
+  const auto isBad = [](char c)
+  { return c == '/' || c == '\\' || c == ':' || (c >= 0 && c < ' '); };
+  if (name.empty() || name.front() == '.' || std::any_of(name.begin(), name.end(), isBad))
+  {
+    place.Fail("is \"" + name +
+      "\", which cannot name a file or a folder: use letters, digits, hyphens and blanks.");
+  }
+}
+
+FieldTable<StudySolver> SolverFields()
+{
+  Field<StudySolver> name = TextField(
+    "name", &StudySolver::Name, "Of the run: leads its columns, unique; by default the solver's.");
+  name.Read = [](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
+  {
+    solver.Name = ReadText(json, place);
+    CheckFileName(place, solver.Name);
+  };
+  FieldTable<StudySolver> table;
+  table.Fields = { TextField("solver", &StudySolver::Solver,
+                     "Name of a solver, or the .json file that describes one. Further keys are "
+                     "the solver's own options.")
+                     .Required(),
+    std::move(name), TimeLimitField(),
+    TextField("version", &StudySolver::Version, "What the solver said of itself when it ran.") };
+  table.ReadOther = [](const std::string& key, const JsonValue& json, const DocumentPlace& place,
+                      StudySolver& solver)
+  {
+    StudyScalar value;
+    if (json.As<bool>())
+    {
+      value = *json.As<bool>();
+    }
+    else if (json.As<std::int64_t>())
+    {
+      value = *json.As<std::int64_t>();
+    }
+    else if (json.As<double>())
+    {
+      value = *json.As<double>();
+    }
+    else if (json.As<std::string>())
+    {
+      value = *json.As<std::string>();
+    }
+    else
+    {
+      place.Fail("is " + ShowValue(json) + " where a text, a number, true or false is expected.");
+    }
+    solver.Options.emplace_back(key, std::move(value));
+  };
+  table.WriteOther = [](const StudySolver& solver, JsonValue::Object& object)
+  {
+    for (const auto& [key, value] : solver.Options)
+    {
+      object.push_back({ key, std::visit([](const auto& of) { return JsonValue{ of }; }, value) });
+    }
+  };
+  table.Finish = [](const DocumentPlace& place, StudySolver& solver)
+  {
+    if (solver.Solver.empty())
+    {
+      place.Member("solver").Fail("is empty: name a solver, or a .json file that describes one.");
+    }
+  };
+  return table;
+}
+
+void NameRuns(const DocumentPlace& place, Study& study)
+{
+  std::set<std::string> taken;
+  for (std::size_t i = 0; i < study.Solvers.size(); ++i)
+  {
+    const std::string& name = study.Solvers[i].Name;
+    if (!name.empty() && !taken.insert(name).second)
+    {
+      place.Member("solvers").Item(i).Member("name").Fail(
+        "is \"" + name + "\", the name of another run: runs need different names.");
+    }
+  }
+  for (StudySolver& solver : study.Solvers)
+  {
+    if (!solver.Name.empty())
+    {
+      continue;
+    }
+    const std::string base = StemOf(solver.Solver);
+    CheckFileName(place.Member("solvers"), base);
+    const std::string order = OrderOf(solver);
+    std::string name = base;
+    if (taken.count(name) && !order.empty())
+    {
+      name = base + "-k" + order;
+    }
+    for (int number = 2; taken.count(name); ++number)
+    {
+      name = base + "-" + std::to_string(number);
+    }
+    taken.insert(name);
+    solver.Name = name;
+  }
+}
+
+} // namespace pemesh

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkPEMCorrelation.h"
+
+#include "BruteForce.h"
+#include "CaseStatus.h"
+#include "TestTables.h"
+
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkIdTypeArray.h>
+#include <vtkStringArray.h>
+#include <vtkTestErrorObserver.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace
+{
+
+constexpr double NaN = std::numeric_limits<double>::quiet_NaN();
+
+using Numbers = std::vector<double>;
+
+/** A series table of eight meshes with two metrics and one run. */
+vtkNew<vtkTable> MakeSeries()
+{
+  vtkNew<vtkTable> table;
+  AddColumn<vtkIdTypeArray>(table, "Index", { 0, 1, 2, 3, 4, 5, 6, 7 });
+  AddColumn<vtkStringArray>(table, "Mesh", std::vector<std::string>(8, "m"));
+  AddColumn<vtkDoubleArray>(table, "t", { 0, .1, .2, .3, .4, .5, .6, .7 });
+  AddColumn<vtkIdTypeArray>(table, "Elements", { 9, 9, 9, 8, 8, 8, 7, 7 });
+  AddColumn<vtkDoubleArray>(table, "Area_min", { 8, 7, 6, 5, 4, 3, 2, 1 });
+  AddColumn<vtkDoubleArray>(table, "Area_max", Numbers(8, 0.5));
+  AddColumn<vtkDoubleArray>(table, "Area_mean", { 1, 4, 2, NaN, 5, 3, 0, 6 });
+  AddColumn<vtkIdTypeArray>(table, "Area_min_element", { 0, 1, 2, 3, 4, 5, 6, 7 });
+  AddColumn<vtkIdTypeArray>(table, "Area_max_element", { 0, 1, 2, 3, 4, 5, 6, 7 });
+  AddColumn<vtkDoubleArray>(table, "vem_error", { 1, 2, 4, 8, 16, 32, 64, 128 });
+  AddColumn<vtkDoubleArray>(table, "vem_seconds", { 3, 1, 4, 1, 5, 9, 2, 6 });
+  AddColumn<vtkStringArray>(table, "vem_Status", std::vector<std::string>(8, "ok"));
+  pemesh::AddToFieldList(table, pemesh::MeasuredList, "vem_seconds");
+  return table;
+}
+
+vtkIdType FindPair(vtkTable* result, const std::string& x, const std::string& y)
+{
+  for (vtkIdType i = 0; i < result->GetNumberOfRows(); ++i)
+  {
+    if (result->GetValueByName(i, "X").ToString() == x &&
+      result->GetValueByName(i, "Y").ToString() == y)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+TEST(PEMCorrelation, DefaultPairs)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  EXPECT_EQ(ColumnNames(result),
+    (std::vector<std::string>{ "X", "Y", "N", "Pearson", "Spearman", "Kendall", "PearsonP",
+      "SpearmanP", "KendallP", "Trend", "Note" }));
+  std::vector<std::string> pairs;
+  for (vtkIdType i = 0; i < result->GetNumberOfRows(); ++i)
+  {
+    pairs.push_back(result->GetValue(i, 0).ToString() + " " + result->GetValue(i, 1).ToString());
+  }
+  EXPECT_EQ(pairs,
+    (std::vector<std::string>{ "Area_min Area_max", "Area_min Area_mean", "Area_min vem_error",
+      "Area_max Area_mean", "Area_max vem_error", "Area_mean vem_error" }));
+}
+
+TEST(PEMCorrelation, AlongOneFamilyOnlyTheTrend)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  const vtkIdType row = FindPair(result, "Area_min", "vem_error");
+  ASSERT_GE(row, 0);
+  EXPECT_EQ(result->GetValueByName(row, "N").ToInt(), 8);
+  EXPECT_EQ(result->GetValueByName(row, "Spearman").ToDouble(), -1.0);
+  EXPECT_EQ(result->GetValueByName(row, "Kendall").ToDouble(), -1.0);
+  EXPECT_NEAR(result->GetValueByName(row, "Pearson").ToDouble(),
+    brute::Pearson({ 8, 7, 6, 5, 4, 3, 2, 1 }, { 1, 2, 4, 8, 16, 32, 64, 128 }), 1e-14);
+  for (const char* p : { "PearsonP", "SpearmanP", "KendallP" })
+  {
+    EXPECT_TRUE(std::isnan(result->GetValueByName(row, p).ToDouble()));
+  }
+  EXPECT_EQ(result->GetValueByName(row, "Trend").ToString(), "decreasing");
+  EXPECT_NE(result->GetValueByName(row, "Note").ToString().find("one family"), std::string::npos);
+}
+
+TEST(PEMCorrelation, ConstantColumnAndMissingValues)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  const vtkIdType constant = FindPair(result, "Area_max", "vem_error");
+  EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "Pearson").ToDouble()));
+  EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "Kendall").ToDouble()));
+  EXPECT_EQ(result->GetValueByName(constant, "Trend").ToString(), "constant");
+  const vtkIdType mixed = FindPair(result, "Area_mean", "vem_error");
+  EXPECT_EQ(result->GetValueByName(mixed, "N").ToInt(), 7);
+  EXPECT_NEAR(result->GetValueByName(mixed, "Kendall").ToDouble(),
+    brute::KendallTauB({ 1, 4, 2, 5, 3, 0, 6 }, { 1, 2, 4, 16, 32, 64, 128 }), 1e-14);
+  EXPECT_EQ(result->GetValueByName(mixed, "Trend").ToString(), "mixed");
+}
+
+TEST(PEMCorrelation, IndependentRowsHavePValues)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->IndependentRowsOn();
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  const vtkIdType row = FindPair(result, "Area_min", "vem_error");
+  EXPECT_NEAR(result->GetValueByName(row, "SpearmanP").ToDouble(), 2.0 / 40320, 1e-12);
+  EXPECT_NEAR(result->GetValueByName(row, "KendallP").ToDouble(), 2.0 / 40320, 1e-12);
+  EXPECT_LT(result->GetValueByName(row, "PearsonP").ToDouble(), 0.05);
+  EXPECT_NE(result->GetValueByName(row, "Note").ToString().find("exact"), std::string::npos);
+  const vtkIdType constant = FindPair(result, "Area_max", "vem_error");
+  EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "KendallP").ToDouble()));
+}
+
+TEST(PEMCorrelation, NamedColumnsOnly)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->SetXColumns({ "t", "Elements" });
+  correlation->SetYColumns({ "Elements", "t", "vem_seconds" });
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  ASSERT_EQ(result->GetNumberOfRows(), 3);
+  EXPECT_EQ(FindPair(result, "t", "Elements"), 0);
+  EXPECT_EQ(FindPair(result, "t", "vem_seconds"), 1);
+  EXPECT_EQ(FindPair(result, "Elements", "vem_seconds"), 2);
+  // Steps: no two meshes against the trend, although tau-b is short of 1 because of ties.
+  EXPECT_EQ(result->GetValueByName(0, "Trend").ToString(), "decreasing");
+}
+
+std::string TrendOf(const Numbers& x, const Numbers& y, double threshold = 0.7)
+{
+  vtkNew<vtkTable> table;
+  AddColumn<vtkDoubleArray>(table, "a", x);
+  AddColumn<vtkDoubleArray>(table, "b", y);
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->AddXColumn("a");
+  correlation->AddYColumn("b");
+  correlation->SetTrendThreshold(threshold);
+  correlation->Update();
+  return correlation->GetOutput()->GetValueByName(0, "Trend").ToString();
+}
+
+TEST(PEMCorrelation, TrendIsWhatItsDefinitionSays)
+{
+  EXPECT_EQ(TrendOf({ 1, 2 }, { 1, 2 }), "undefined");
+  EXPECT_EQ(TrendOf({ 1, 2, NaN }, { 1, 2, 3 }), "undefined");
+  EXPECT_EQ(TrendOf({ 1, 2, 3 }, { 2, 2, 2 }), "constant");
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { 0, 0, 0, 0, 1 }), "increasing"); // tau-b = 0.63
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { 1, 1, 0, 0, 0 }), "decreasing");
+  // One exchange of neighbours in five: 9 pairs against 1, tau = 0.8.
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { 2, 1, 3, 4, 5 }), "increasing");
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { 2, 1, 3, 4, 5 }, 0.9), "mixed");
+  // Two exchanges: tau = 0.6.
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { 2, 1, 4, 3, 5 }), "mixed");
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4, 5 }, { -2, -1, -4, -3, -5 }, 0.6), "decreasing");
+  EXPECT_EQ(TrendOf({ 1, 2, 3, 4 }, { 1, 2, 2, 1 }, 0.0), "mixed");
+}
+
+TEST(PEMCorrelation, UnknownAndTextColumnsAreErrors)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  const auto complaint = [&](const std::string& name)
+  {
+    vtkNew<vtkPEMCorrelation> correlation;
+    vtkNew<vtkTest::ErrorObserver> errors;
+    correlation->AddObserver(vtkCommand::ErrorEvent, errors);
+    correlation->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    correlation->SetInputData(table);
+    correlation->SetXColumns({ name });
+    EXPECT_EQ(correlation->GetExecutive()->Update(), 0);
+    return errors->GetErrorMessage();
+  };
+  EXPECT_NE(complaint("Area_mim").find("did you mean \"Area_min\"?"), std::string::npos);
+  EXPECT_NE(complaint("Mesh").find("holds text"), std::string::npos);
+}
+
+TEST(PEMCorrelation, EmptyTableGivesNoPairs)
+{
+  vtkNew<vtkTable> table;
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  EXPECT_EQ(correlation->GetExecutive()->Update(), 1);
+  EXPECT_EQ(correlation->GetOutput()->GetNumberOfRows(), 0);
+  EXPECT_EQ(correlation->GetOutput()->GetNumberOfColumns(), 11);
+}
+
+TEST(PEMCorrelation, SettersCompareBeforeModified)
+{
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetXColumns({ "a" });
+  const vtkMTimeType time = correlation->GetMTime();
+  correlation->SetXColumns({ "a" });
+  correlation->SetPermutations(0);
+  correlation->RemoveAllYColumns();
+  EXPECT_EQ(correlation->GetMTime(), time);
+  correlation->SetPermutations(-5);
+  EXPECT_EQ(correlation->GetPermutations(), 0);
+  correlation->SetTrendThreshold(3.0);
+  EXPECT_EQ(correlation->GetTrendThreshold(), 1.0);
+  std::ostringstream stream;
+  correlation->Print(stream);
+  EXPECT_NE(stream.str().find("XColumns: a"), std::string::npos);
+}
+
+} // namespace

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StudyFile.h"
+
+#include "StudyTexts.h"
+#include "TextFile.h"
+
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <filesystem>
+
+namespace
+{
+
+using pemesh::FormatStudy;
+using pemesh::ParseStudy;
+using pemesh::Study;
+using pemesh::StudyScalar;
+
+TEST(StudyFile, ReadsEveryKey)
+{
+  const Study study = ParseStudy(FullStudy, "folder/full.json");
+  EXPECT_EQ(study.Folder, "folder");
+  EXPECT_EQ(study.Name, "comb and star");
+  EXPECT_EQ(study.WrittenBy, "PEMesh 0.1.0");
+  ASSERT_EQ(study.Polygons.size(), 3u);
+  const pemesh::StudyPolygon& comb = study.Polygons[0];
+  EXPECT_EQ(comb.Family, "comb");
+  EXPECT_EQ(comb.Name, "left");
+  EXPECT_EQ(comb.Center, (std::array<double, 2>{ 0.3, 0.25 }));
+  EXPECT_EQ(comb.Scale, 0.8);
+  EXPECT_EQ(comb.Rotation, 15.5);
+  EXPECT_EQ(comb.Count, 7);
+  EXPECT_EQ(comb.From, 0.1);
+  EXPECT_EQ(comb.To, 0.95);
+  EXPECT_EQ(study.Polygons[1].Count, 9);
+  EXPECT_EQ(study.Polygons[2].Count, 0);
+  EXPECT_EQ(pemesh::StudyTimes(study), (std::vector<double>{ 0.25, 0.5, 0.75 }));
+  EXPECT_EQ(study.Mesh.MaximumArea.Rule, "constant");
+  EXPECT_EQ(study.Mesh.MaximumArea.Value, 0.01);
+  EXPECT_EQ(study.Mesh.MinimumAngle, 25.5);
+  EXPECT_TRUE(study.Mesh.PreservePolygons);
+  ASSERT_TRUE(study.Metrics);
+  EXPECT_EQ(*study.Metrics, (std::vector<std::string>{ "MinAngle", "Area" }));
+  ASSERT_EQ(study.Solvers.size(), 2u);
+  EXPECT_EQ(study.Solvers[0].Name, "plain");
+  EXPECT_EQ(study.Solvers[0].TimeLimit, 60.0);
+  EXPECT_EQ(study.Solvers[0].Options[0].second, StudyScalar(std::int64_t{ 1 }));
+  EXPECT_EQ(study.Solvers[0].Options[1].second, StudyScalar(std::string("franke")));
+  EXPECT_EQ(study.Solvers[1].Name, "other");
+  EXPECT_EQ(study.Solvers[1].Options[0].second, StudyScalar(1e-10));
+  EXPECT_EQ(study.Solvers[1].Options[1].second, StudyScalar(true));
+  EXPECT_EQ(study.Solvers[1].Options[2].second, StudyScalar(2.0));
+  EXPECT_FALSE(study.Solvers[1].TimeLimit);
+  ASSERT_EQ(study.Plots.size(), 4u);
+  EXPECT_EQ(study.Plots[0].Y.size(), 2u);
+  EXPECT_EQ(study.Plots[0].Log, "xy");
+  EXPECT_EQ(study.Plots[0].File, "line-MinAngle-vs-t.png");
+  EXPECT_EQ(study.Plots[1].File, "s.svg");
+  EXPECT_EQ(study.Plots[1].ColorBy, "t");
+  EXPECT_EQ(study.Plots[2].Highlight, "both");
+  EXPECT_EQ(study.Plots[2].Case, 0);
+  EXPECT_EQ(study.Plots[3].Case, -2);
+  EXPECT_EQ(study.Output.Formats, (std::vector<std::string>{ "vtp", "off" }));
+}
+
+TEST(StudyFile, DefaultsOfAShortStudy)
+{
+  const Study study = ParseStudy(
+    R"({"pemesh": 1, "polygons": [{"family": "star"}], "plots": [{"kind": "line", "y": "Area"}]})",
+    "my-study.json");
+  EXPECT_EQ(study.Name, "my-study");
+  EXPECT_EQ(study.Polygons[0].Count, 40) << "the family's own";
+  EXPECT_EQ(study.Polygons[0].Scale, 1.0);
+  EXPECT_EQ(study.Polygons[0].To, 1.0);
+  const std::vector<double> times = pemesh::StudyTimes(study);
+  ASSERT_EQ(times.size(), 20u);
+  EXPECT_EQ(times.front(), 0.0);
+  EXPECT_EQ(times[9], 9 * 0.9 / 19);
+  EXPECT_EQ(times.back(), 0.9);
+  EXPECT_EQ(study.Mesh.MinimumAngle, 20.0);
+  EXPECT_EQ(study.Mesh.MaximumArea.Rule, "diagonal");
+  EXPECT_FALSE(study.Mesh.PreservePolygons);
+  EXPECT_FALSE(study.Metrics);
+  EXPECT_TRUE(study.Solvers.empty());
+  EXPECT_EQ(study.Plots[0].X, "t");
+  EXPECT_EQ(study.Output.Formats, std::vector<std::string>{ "vtp" });
+}
+
+TEST(StudyFile, StudyOfMeshFiles)
+{
+  const Study one = ParseStudy(
+    R"({"pemesh": 1, "meshes": "a/*.off", "plots": [{"kind": "line", "y": "Area"}]})", "s.json");
+  EXPECT_TRUE(pemesh::HasMeshFiles(one));
+  EXPECT_EQ(one.Meshes, std::vector<std::string>{ "a/*.off" });
+  EXPECT_TRUE(one.Sweep.empty());
+  EXPECT_TRUE(pemesh::StudyTimes(one).empty());
+  EXPECT_EQ(one.Plots[0].X, "Index");
+  const Study two = ParseStudy(R"({"pemesh": 1, "meshes": ["a.off", "b.obj"]})", "s.json");
+  EXPECT_EQ(two.Meshes.size(), 2u);
+  for (const Study& study : { one, two })
+  {
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+  }
+}
+
+TEST(StudyFile, BareSquareIsOneMesh)
+{
+  const Study study = ParseStudy(R"({"pemesh": 1, "polygons": []})", "s.json");
+  EXPECT_EQ(pemesh::StudyTimes(study), std::vector<double>{ 0.0 });
+  EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+}
+
+TEST(StudyFile, ListsOfTimes)
+{
+  const Study study = ParseStudy(
+    R"({"pemesh": 1, "polygons": [{"family": "zeta"}], "sweep": [{"values": [0.5, 0, 1]}]})",
+    "s.json");
+  EXPECT_EQ(pemesh::StudyTimes(study), (std::vector<double>{ 0.5, 0.0, 1.0 }));
+  EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+  const Study still =
+    ParseStudy(R"({"pemesh": 1, "polygons": [{"family": "zeta"}], "sweep": []})", "s.json");
+  EXPECT_EQ(pemesh::StudyTimes(still), std::vector<double>{ 0.0 });
+  EXPECT_EQ(ParseStudy(FormatStudy(still), "s.json"), still);
+}
+
+TEST(StudyFile, FormattingGivesBackTheStudy)
+{
+  const Study study = ParseStudy(FullStudy, "folder/full.json");
+  const std::string text = FormatStudy(study);
+  EXPECT_EQ(ParseStudy(text, "folder/other.json"), study);
+  EXPECT_EQ(FormatStudy(ParseStudy(text, "folder/other.json")), text);
+}
+
+TEST(StudyFile, FormattingWritesEveryDefault)
+{
+  const Study study = ParseStudy(
+    R"({"pemesh": 1, "polygons": [{"family": "comb"}, {"family": "n-sided"}]})", "s.json");
+  EXPECT_EQ(FormatStudy(study), R"({
+  "pemesh": 1,
+  "name": "s",
+  "polygons": [
+    {
+      "family": "comb",
+      "center": [0.5, 0.5],
+      "scale": 1,
+      "rotation": 0,
+      "teeth": 10,
+      "from": 0,
+      "to": 1
+    },
+    {
+      "family": "n-sided",
+      "center": [0.5, 0.5],
+      "scale": 1,
+      "rotation": 0,
+      "sides": 40,
+      "from": 0,
+      "to": 1
+    }
+  ],
+  "sweep": [{"parameter": "t", "from": 0, "to": 0.9, "count": 20}],
+  "mesh": {"max-area": {"rule": "diagonal"}, "min-angle": 20, "preserve-polygons": false},
+  "metrics": "all",
+  "solvers": [],
+  "plots": [],
+  "output": {"formats": ["vtp"]}
+}
+)");
+}
+
+TEST(StudyFile, NumbersSurviveToTheLastBit)
+{
+  Study study = ParseStudy(R"({"pemesh": 1, "polygons": [{"family": "zeta"}]})", "s.json");
+  for (const double value : { 0.1 + 0.2, 1e-300, 123456789.123456789, 1e300, 5e-324, 1e15, 1e16 })
+  {
+    study.Polygons[0].Scale = value;
+    study.Polygons[0].Rotation = -value;
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study) << value;
+  }
+}
+
+TEST(StudyFile, TextsSurvive)
+{
+  Study study = ParseStudy(R"({"pemesh": 1, "polygons": [{"family": "zeta"}]})", "s.json");
+  for (const char* text : { "quote \" backslash \\ slash / tab \t line \n", "\xC3\xA9 \xE2\x82\xAC",
+         "\x01", "{}", "null" })
+  {
+    study.Polygons[0].Name = text;
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study) << text;
+  }
+}
+
+TEST(StudyFile, IgnoresTheLocale)
+{
+  const std::string before = std::setlocale(LC_ALL, nullptr);
+  for (const char* name : { "de_DE.UTF-8", "fr_FR.UTF-8", "C" })
+  {
+    std::setlocale(LC_ALL, name);
+    const Study study = ParseStudy(FullStudy, "s.json");
+    EXPECT_EQ(study.Polygons[0].Rotation, 15.5);
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+  }
+  std::setlocale(LC_ALL, before.c_str());
+}
+
+TEST(StudyFile, RunsAreNamed)
+{
+  const auto names = [](const std::string& solvers)
+  {
+    std::string text;
+    for (const auto& run :
+      ParseStudy(R"({"pemesh": 1, "polygons": [], "solvers": [)" + solvers + "]}", "s.json")
+        .Solvers)
+    {
+      text += run.Name + " ";
+    }
+    return text;
+  };
+  EXPECT_EQ(names(R"({"solver": "vem"})"), "vem ");
+  EXPECT_EQ(names(R"({"solver": "vem", "order": 1}, {"solver": "vem", "order": 2},
+    {"solver": "vem", "order": 3}, {"solver": "dg", "order": 2})"),
+    "vem vem-k2 vem-k3 dg ");
+  EXPECT_EQ(
+    names(R"({"solver": "vem"}, {"solver": "vem"}, {"solver": "vem"})"), "vem vem-2 vem-3 ");
+  EXPECT_EQ(names(R"({"solver": "vem"}, {"solver": "a/b.json", "name": "vem-2"},
+    {"solver": "vem"})"),
+    "vem vem-2 vem-3 ");
+  EXPECT_EQ(names(R"({"solver": "x/my.json"}, {"solver": "vem", "name": "my"})"), "my-2 my ");
+}
+
+TEST(StudyFile, FiguresAreNamed)
+{
+  const Study study = ParseStudy(R"({"pemesh": 1, "polygons": [], "plots": [
+    {"kind": "line", "y": "a_b"}, {"kind": "line", "y": "a_b"}, {"kind": "mesh"},
+    {"kind": "mesh", "color-by": "x/y z", "file": "mesh"}, {"kind": "mesh", "file": "m.pdf"}]})",
+    "s.json");
+  std::vector<std::string> files;
+  for (const pemesh::StudyPlot& plot : study.Plots)
+  {
+    files.push_back(plot.File);
+  }
+  EXPECT_EQ(files,
+    (std::vector<std::string>{
+      "line-a_b-vs-t.png", "line-a_b-vs-t-2.png", "mesh-2.png", "mesh.png", "m.pdf" }));
+}
+
+TEST(StudyFile, ReadsAFile)
+{
+  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "read-a-file";
+  pemesh::WriteTextFile(folder / "full.json", FullStudy);
+  EXPECT_EQ(pemesh::ReadStudy(folder / "full.json"), ParseStudy(FullStudy, folder / "full.json"));
+  pemesh::WriteTextFile(folder / "empty.json", "");
+  EXPECT_NE(Complaint([&] { pemesh::ReadStudy(folder / "empty.json"); }).find("line 1, column 1"),
+    std::string::npos);
+  EXPECT_NE(Complaint([&] { pemesh::ReadStudy(folder / "none.json"); }).find("none.json"),
+    std::string::npos);
+  EXPECT_NE(Complaint([&] { pemesh::ReadStudy(folder); }).find("folder"), std::string::npos);
+}
+
+TEST(StudyFile, MovedStudyNamesTheSameFiles)
+{
+  Study study = ParseStudy(R"({"pemesh": 1, "meshes": ["m/*.off", "/abs/x.off"],
+    "solvers": [{"solver": "s/mine.json"}, {"solver": "pemesh-vem"}]})",
+    "/a/b/study.json");
+  const Study moved = pemesh::MoveStudy(study, "/a/results/run");
+  EXPECT_EQ(moved.Folder, "/a/results/run");
+  EXPECT_EQ(moved.Meshes, (std::vector<std::string>{ "../../b/m/*.off", "/abs/x.off" }));
+  EXPECT_EQ(moved.Solvers[0].Solver, "../../b/s/mine.json");
+  EXPECT_EQ(moved.Solvers[1].Solver, "pemesh-vem");
+  EXPECT_EQ(pemesh::MoveStudy(moved, "/a/b"), study);
+}
+
+TEST(StudyFile, EveryKeyIsExplained)
+{
+  const std::string text = pemesh::DescribeStudyKeys();
+  for (const char* line :
+    { "\npolygons[].teeth: integer between 1 and 100000", "\npolygons[].spikes",
+      "\nmesh.min-angle: number between 0 and 34, default 20.",
+      "\nmesh.max-area.rule: one of none, shortest-edge, diagonal, constant, default \"diagonal\"",
+      "\nsweep[].count: integer between 1 and 10000000, default 20.",
+      "\nplots[].log: ", "\nsolvers[].solver: text, required.", "\noutput.formats: " })
+  {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+}
+
+} // namespace
