@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace pemesh
 {
@@ -357,14 +358,17 @@ void MeshPainter::MarkElement(vtkIdType element, const ChartColor& color)
   if (extent < 2.0 * this->Em)
   {
     // A ring around an element that would be overlooked.
-    const auto x = static_cast<float>(0.5 * (low[0] + high[0]));
-    const auto y = static_cast<float>(0.5 * (low[1] + high[1]));
-    const auto radius = static_cast<float>(0.5 * extent + 0.9 * this->Em);
-    for (const auto& [ems, ink] : { std::pair{ 0.3, White }, { 0.17, color } })
+    const double radius = 0.5 * extent + 0.9 * this->Em;
+    constexpr int steps = 72;
+    std::vector<float> ring;
+    for (int i = 0; i <= steps; ++i)
     {
-      this->Painter.SetPen(ems, ink);
-      this->Painter.Context()->DrawArc(x, y, radius, 0.0f, 360.0f);
+      const double angle = 2.0 * std::numbers::pi * (i % steps) / steps;
+      ring.push_back(static_cast<float>(0.5 * (low[0] + high[0]) + radius * std::cos(angle)));
+      ring.push_back(static_cast<float>(0.5 * (low[1] + high[1]) + radius * std::sin(angle)));
     }
+    this->Painter.Poly(ring, 0.3, White);
+    this->Painter.Poly(ring, 0.17, color);
   }
 }
 

@@ -432,6 +432,9 @@ void vtkPEMCairoContextDevice2D::DrawEllipticArc(
     path.push_back(x + rX * static_cast<float>(std::cos(angle)));
     path.push_back(y + rY * static_cast<float>(std::sin(angle)));
   }
+  // As all devices of VTK do: filled with the brush, then outlined with the pen.
+  this->AddPath(path.data(), static_cast<int>(path.size() / 2), true);
+  this->Fill(BrushColor(this->Brush).data());
   this->AddPath(path.data(), static_cast<int>(path.size() / 2), whole);
   this->Stroke(PenColor(this->Pen).data());
 }

@@ -25,6 +25,8 @@
 #include "pemeshChartsModule.h" // For export macro
 
 #include <vtkContextDevice2D.h>
+#include <vtkStdString.h>     // For the Python wrapper
+#include <vtkUnicodeString.h> // For the Python wrapper
 
 #include <array>  // For matrices
 #include <memory> // For the canvas

@@ -9,9 +9,7 @@
 #include <vtkImageData.h>
 #include <vtkMatrix3x3.h>
 #include <vtkPen.h>
-#include <vtkStdString.h>
 #include <vtkTextProperty.h>
-#include <vtkUnicodeString.h>
 
 #include <algorithm>
 #include <cmath>

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DelaunayRefinement.h"
 
-#include "InputCorners.h"
+#include "BoundarySplitter.h"
 #include "PlaneVectors.h"
 #include "Predicates.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -19,12 +18,6 @@ namespace pemesh
 namespace
 {
 
-/** How far below the smallest feature of the input an edge may be shortened for an angle. */
-constexpr double SmallestEdgeFactor = 1e-3;
-
-/** Segments whose lengths differ by no more than this factor count as equally long. */
-constexpr double EqualLengths = 1.001;
-
 /** Off-centres lie this little nearer than the angle needs, so that rounding cannot spoil it. */
 constexpr double OffCenterFactor = 0.95;
 
@@ -34,8 +27,6 @@ struct Shape
   Point2 From; ///< the shortest edge, triangle on the left
   Point2 To;
   Point2 Apex;
-  int FromVertex;
-  int ToVertex;
   double SquaredShortest;
   double Area;
   bool TooLarge;
@@ -54,14 +45,6 @@ struct BadTriangle
     return this->Badness < other.Badness ||
       (this->Badness == other.Badness && this->Order > other.Order);
   }
-};
-
-struct WaitingSegment
-{
-  int Segment;
-  int From;
-  int To;
-  bool Forced; ///< to be split even if no vertex is in its circle (a refused point was)
 };
 
 enum class Attempt
@@ -89,55 +72,25 @@ public:
   RefinementOutcome Run();
 
 private:
-  // Segments
-  std::array<int, 2> EndsOf(int segment) const;
-  bool CanSplit(int segment) const;
-  bool IsEncroached(int segment) const;
-  int CornerOf(int segment) const;
-  std::array<int, 2> CornerSegments(int corner) const;
-  double LengthOf(int segment) const;
-  void OpenCorner(int corner);
-  void Enqueue(int segment, bool forced);
-  void SplitSegment(int segment);
-  void SplitCorner(int corner, double radius);
-  void SplitAt(int segment, const Point2& point);
-  bool SplitWaitingSegments();
-
-  // Triangles
   Shape Measure(int triangle) const;
   void Judge(int triangle);
   void LookAtStar();
   bool TouchesPreserved(int triangle) const;
   double CenterHeight(const Shape& shape) const;
   bool IsNearPreserved(const Point2& point, const Point2& a, const Point2& b) const;
-  Attempt TryPoint(int triangle, const Point2& point, Purpose purpose, double squaredSpacing);
+  Attempt TryPoint(int triangle, const Point2& point, Purpose purpose, double squaredSpacing,
+    double squaredShortest);
   Point2 PointInside(int triangle, double area) const;
   Attempt RefineLarge(int triangle, const Shape& shape);
   Attempt RefineFlat(int triangle, const Shape& shape);
   bool Continue();
 
-  bool IsInputVertex(int vertex) const { return vertex < static_cast<int>(this->EndingAt.size()); }
-  /** Whether the domain's angle there is small and its segments may be split. */
-  bool MayOpen(int vertex) const
-  {
-    return this->Corners.IsSmallCorner(vertex) && !this->Options.Preserved[vertex];
-  }
-  bool IsOpenCorner(int vertex) const
-  {
-    return this->IsInputVertex(vertex) && this->IsOpen[vertex];
-  }
-
   RefinableTriangulation& Mesh;
-  InputCorners Corners;
   const RefinementOptions& Options;
+  BoundarySplitter Splitter;
   double SquaredSine;   ///< of the minimum angle
   double CotangentHalf; ///< of half of it
   double CosineTwice;   ///< of twice of it
-  double SquaredSmallestEdge = 0.0;
-  std::vector<bool> IsOpen;      ///< an input vertex each: see OpenCorner
-  std::vector<int> EndingAt;     ///< an input vertex each: the segment that ends there
-  std::vector<bool> CannotSplit; ///< a segment each: too short for doubles
-  std::vector<WaitingSegment> Waiting;
   std::priority_queue<BadTriangle> Bad;
   std::uint64_t NextOrder = 0;
   std::uint64_t Steps = 0;
@@ -148,208 +101,15 @@ private:
 Refinement::Refinement(
   RefinableTriangulation& mesh, const DomainBoundary& boundary, const RefinementOptions& options)
   : Mesh(mesh)
-  , Corners(mesh, boundary)
   , Options(options)
-  , IsOpen(boundary.Points.size(), false)
-  , EndingAt(boundary.Before)
-  , CannotSplit(boundary.Segments.size(), false)
+  , Splitter(mesh, boundary, options.Preserved, [this] { this->LookAtStar(); })
 {
   const double angle = options.MinimumAngle * std::numbers::pi / 180.0;
   // A little more than asked for, so that rounding in whoever measures finds no less.
   this->SquaredSine = std::sin(angle) * std::sin(angle) * (1.0 + 1e-10);
   this->CotangentHalf = 1.0 / std::tan(0.5 * angle);
   this->CosineTwice = std::cos(2.0 * angle);
-  this->SquaredSmallestEdge =
-    SmallestEdgeFactor * SmallestEdgeFactor * this->Corners.SquaredSmallestFeature();
 }
-
-// --- Segments ------------------------------------------------------------------------------------
-
-std::array<int, 2> Refinement::EndsOf(int segment) const
-{
-  const RefinableTriangulation::Triangle& triangle =
-    this->Mesh.GetTriangle(this->Mesh.GetSegment(segment).Triangle);
-  const int edge = this->Mesh.EdgeOfSegment(segment);
-  return { triangle.Vertex[(edge + 1) % 3], triangle.Vertex[(edge + 2) % 3] };
-}
-
-bool Refinement::CanSplit(int segment) const
-{
-  return !this->Options.Preserved[this->Mesh.GetSegment(segment).Input] &&
-    !this->CannotSplit[segment];
-}
-
-/** The small corner that a segment starts or ends at, or -1. */
-int Refinement::CornerOf(int segment) const
-{
-  const std::array<int, 2> ends = this->EndsOf(segment);
-  for (const int end : ends)
-  {
-    if (this->IsOpenCorner(end))
-    {
-      return end;
-    }
-  }
-  return -1;
-}
-
-/** The two segments at a corner: the one that starts there (it keeps its number), then the other.
- */
-std::array<int, 2> Refinement::CornerSegments(int corner) const
-{
-  return { corner, this->EndingAt[corner] };
-}
-
-double Refinement::LengthOf(int segment) const
-{
-  const std::array<int, 2> ends = this->EndsOf(segment);
-  return std::sqrt(SquaredDistance(this->Mesh.GetPoint(ends[0]), this->Mesh.GetPoint(ends[1])));
-}
-
-/**
- * Whether a vertex lies inside the diametral circle: the nearest is the apex of the triangle. At a
- * small corner, any vertex that parts the isosceles triangle of its two segments counts as well.
- */
-bool Refinement::IsEncroached(int segment) const
-{
-  const RefinableTriangulation::Triangle& triangle =
-    this->Mesh.GetTriangle(this->Mesh.GetSegment(segment).Triangle);
-  const int edge = this->Mesh.EdgeOfSegment(segment);
-  const Point2& apex = this->Mesh.GetPoint(triangle.Vertex[edge]);
-  const Point2& from = this->Mesh.GetPoint(triangle.Vertex[(edge + 1) % 3]);
-  const Point2& to = this->Mesh.GetPoint(triangle.Vertex[(edge + 2) % 3]);
-  if (Dot(from - apex, to - apex) < 0.0)
-  {
-    return true;
-  }
-  const int corner = this->CornerOf(segment);
-  if (corner < 0)
-  {
-    return false;
-  }
-  const std::array<int, 2> segments = this->CornerSegments(corner);
-  return this->Mesh.GetSegment(segments[0]).Triangle != this->Mesh.GetSegment(segments[1]).Triangle;
-}
-
-void Refinement::Enqueue(int segment, bool forced)
-{
-  const std::array<int, 2> ends = this->EndsOf(segment);
-  this->Waiting.push_back({ segment, ends[0], ends[1], forced });
-}
-
-void Refinement::SplitAt(int segment, const Point2& point)
-{
-  const std::array<int, 2> ends = this->EndsOf(segment);
-  const Point2& from = this->Mesh.GetPoint(ends[0]);
-  const Point2& to = this->Mesh.GetPoint(ends[1]);
-  const double squaredLength = SquaredDistance(from, to);
-  const bool between = Dot(point - from, to - from) > 0.0 && Dot(point - to, from - to) > 0.0;
-  const bool possible = between && squaredLength >= 4.0 * this->SquaredSmallestEdge;
-  if (possible)
-  {
-    this->Mesh.FindZoneOfSegment(segment, point);
-  }
-  if (!possible || this->Mesh.SplitSegment(segment, point) < 0)
-  {
-    this->CannotSplit[segment] = true;
-    return;
-  }
-  this->CannotSplit.push_back(false);
-  if (this->IsInputVertex(ends[1]) && this->EndingAt[ends[1]] == segment)
-  {
-    this->EndingAt[ends[1]] = this->Mesh.NumberOfSegments() - 1;
-  }
-  this->LookAtStar();
-}
-
-/** Splits both segments of a corner at the same distance. */
-void Refinement::SplitCorner(int corner, double radius)
-{
-  for (const int segment : this->CornerSegments(corner))
-  {
-    const std::array<int, 2> ends = this->EndsOf(segment);
-    const int other = ends[0] == corner ? ends[1] : ends[0];
-    if (this->LengthOf(segment) > EqualLengths * radius)
-    {
-      this->SplitAt(segment, this->Corners.PointAt(radius, corner, other));
-    }
-  }
-}
-
-void Refinement::SplitSegment(int segment)
-{
-  const std::array<int, 2> ends = this->EndsOf(segment);
-  for (const int end : ends)
-  {
-    if (this->MayOpen(end) && !this->IsOpen[end])
-    {
-      this->OpenCorner(end); // which may be all that was needed
-      return;
-    }
-  }
-  const int corner = this->CornerOf(segment);
-  if (corner >= 0)
-  {
-    this->SplitCorner(corner, InputCorners::ShellRadius(this->LengthOf(segment)));
-    return;
-  }
-  this->SplitAt(segment, this->Corners.SplitPoint(ends[0], ends[1]));
-}
-
-/**
- * Makes the two segments of a small corner equally long. From now on they are split together, and
- * only for vertices that are there or for areas: to split them for angles would never end.
- */
-void Refinement::OpenCorner(int corner)
-{
-  this->IsOpen[corner] = true;
-  for (const int segment : this->CornerSegments(corner))
-  {
-    const std::array<int, 2> ends = this->EndsOf(segment);
-    if (this->MayOpen(ends[0]) && this->MayOpen(ends[1]))
-    {
-      const double half = 0.5 * this->LengthOf(segment);
-      this->SplitAt(segment, this->Corners.PointAt(half, ends[0], ends[1]));
-    }
-  }
-  const std::array<int, 2> segments = this->CornerSegments(corner);
-  const double first = this->LengthOf(segments[0]);
-  const double second = this->LengthOf(segments[1]);
-  const double shorter = std::min(first, second);
-  const double ratio = std::max(first, second) / shorter;
-  if (ratio > EqualLengths) // what is left of the longer one must not be much shorter than the rest
-  {
-    this->SplitCorner(corner, ratio > 1.5 ? shorter : InputCorners::ShellRadius(shorter));
-  }
-  for (const int segment : this->CornerSegments(corner))
-  {
-    this->Enqueue(segment, false);
-  }
-}
-
-/** False if the work has to stop. */
-bool Refinement::SplitWaitingSegments()
-{
-  for (std::size_t i = 0; i < this->Waiting.size(); ++i)
-  {
-    const WaitingSegment waiting = this->Waiting[i];
-    const std::array<int, 2> ends = this->EndsOf(waiting.Segment);
-    const bool unchanged = ends[0] == waiting.From && ends[1] == waiting.To;
-    if (unchanged && this->CanSplit(waiting.Segment) &&
-      (waiting.Forced || this->IsEncroached(waiting.Segment)))
-    {
-      this->SplitSegment(waiting.Segment);
-      if (!this->Continue())
-      {
-        return false;
-      }
-    }
-  }
-  this->Waiting.clear();
-  return true;
-}
-
-// --- Triangles -----------------------------------------------------------------------------------
 
 Shape Refinement::Measure(int triangle) const
 {
@@ -362,10 +122,8 @@ Shape Refinement::Measure(int triangle) const
   }
   const int edge = static_cast<int>(std::min_element(squared, squared + 3) - squared);
   Shape shape;
-  shape.FromVertex = vertex[(edge + 1) % 3];
-  shape.ToVertex = vertex[(edge + 2) % 3];
-  shape.From = this->Mesh.GetPoint(shape.FromVertex);
-  shape.To = this->Mesh.GetPoint(shape.ToVertex);
+  shape.From = this->Mesh.GetPoint(vertex[(edge + 1) % 3]);
+  shape.To = this->Mesh.GetPoint(vertex[(edge + 2) % 3]);
   shape.Apex = this->Mesh.GetPoint(vertex[edge]);
   shape.SquaredShortest = squared[edge];
   shape.Area = 0.5 * Cross(shape.From - shape.Apex, shape.To - shape.Apex);
@@ -403,9 +161,10 @@ void Refinement::LookAtStar()
     this->Judge(triangle);
     for (const int neighbor : this->Mesh.GetTriangle(triangle).Neighbor)
     {
-      if (neighbor < 0 && this->CanSplit(~neighbor) && this->IsEncroached(~neighbor))
+      if (neighbor < 0 && this->Splitter.CanSplit(~neighbor) &&
+        this->Splitter.IsEncroached(~neighbor))
       {
-        this->Enqueue(~neighbor, false);
+        this->Splitter.Enqueue(~neighbor, false);
       }
     }
   }
@@ -445,7 +204,7 @@ bool Refinement::TouchesPreserved(int triangle) const
 {
   const int* vertices = this->Mesh.GetTriangle(triangle).Vertex;
   return std::any_of(vertices, vertices + 3,
-    [this](int vertex) { return this->IsInputVertex(vertex) && this->Options.Preserved[vertex]; });
+    [this](int vertex) { return this->Splitter.IsPreservedVertex(vertex); });
 }
 
 /**
@@ -454,7 +213,7 @@ bool Refinement::TouchesPreserved(int triangle) const
  * vertex nearer than the spacing.
  */
 Attempt Refinement::TryPoint(
-  int triangle, const Point2& point, Purpose purpose, double squaredSpacing)
+  int triangle, const Point2& point, Purpose purpose, double squaredSpacing, double squaredShortest)
 {
   const bool isForArea = purpose == Purpose::Area || purpose == Purpose::AreaInside;
   const bool respectsPreserved = purpose == Purpose::Angle || purpose == Purpose::Area;
@@ -465,7 +224,7 @@ Attempt Refinement::TryPoint(
     return Attempt::Refused;
   }
   const bool visible = this->Mesh.ZoneContains(point);
-  const auto waiting = static_cast<std::ptrdiff_t>(this->Waiting.size());
+  const std::size_t waiting = this->Splitter.NumberWaiting();
   bool splitFirst = false;
   bool refused = !visible;
   for (const RefinableTriangulation::ZoneEdge& edge : edges)
@@ -477,24 +236,23 @@ Attempt Refinement::TryPoint(
     {
       continue;
     }
-    if (!this->CanSplit(~edge.Outside))
+    if (!this->Splitter.CanSplit(~edge.Outside))
     {
-      const double cross=Cross(to-from,point-from);
-      static const double K=getenv("KK")?atof(getenv("KK")):.5;
-      refused = refused || (respectsPreserved && this->IsNearPreserved(point, from, to)) || cross*cross < K*K*squaredSpacing*SquaredDistance(from,to);
+      refused = refused || (respectsPreserved && this->IsNearPreserved(point, from, to));
       continue;
     }
-    const bool isCorner = this->IsOpenCorner(edge.From) || this->IsOpenCorner(edge.To);
+    const bool isCorner =
+      this->Splitter.IsOpenCorner(edge.From) || this->Splitter.IsOpenCorner(edge.To);
     const bool isBehind = !visible && Orientation(from, to, point) <= 0;
-    if (isCorner && !isForArea)
+    if (isCorner && !isForArea && !this->Splitter.CornerMayShrink(~edge.Outside, squaredShortest))
     {
-      this->Waiting.erase(this->Waiting.begin() + waiting, this->Waiting.end());
+      this->Splitter.ForgetSince(waiting);
       return Attempt::Refused;
     }
     if (isCorner || isBehind || Dot(from - point, to - point) < 0.0)
     {
       splitFirst = true;
-      this->Enqueue(~edge.Outside, true);
+      this->Splitter.Enqueue(~edge.Outside, true);
     }
   }
   if (splitFirst)
@@ -512,13 +270,13 @@ Attempt Refinement::TryPoint(
 Attempt Refinement::RefineLarge(int triangle, const Shape& shape)
 {
   const Point2 center = AboveEdge(shape, this->CenterHeight(shape));
-  const Attempt attempt = this->TryPoint(triangle, center, Purpose::Area, 0.0);
+  const Attempt attempt = this->TryPoint(triangle, center, Purpose::Area, 0.0, 0.0);
   if (attempt != Attempt::Refused)
   {
     return attempt;
   }
   return this->TryPoint(
-    triangle, this->PointInside(triangle, shape.Area), Purpose::AreaInside, 0.0);
+    triangle, this->PointInside(triangle, shape.Area), Purpose::AreaInside, 0.0, 0.0);
 }
 
 /**
@@ -536,7 +294,7 @@ Point2 Refinement::PointInside(int triangle, double area) const
     const Point2& apex = this->Mesh.GetPoint(corners.Vertex[edge]);
     const Point2& from = this->Mesh.GetPoint(corners.Vertex[(edge + 1) % 3]);
     const Point2& to = this->Mesh.GetPoint(corners.Vertex[(edge + 2) % 3]);
-    if (neighbor < 0 && !this->CanSplit(~neighbor) && SquaredDistance(from, to) > longest)
+    if (neighbor < 0 && !this->Splitter.CanSplit(~neighbor) && SquaredDistance(from, to) > longest)
     {
       longest = SquaredDistance(from, to);
       const double fraction = std::min(0.5, 0.95 * this->Options.MaximumArea / area);
@@ -557,12 +315,13 @@ Point2 Refinement::PointInside(int triangle, double area) const
 
 Attempt Refinement::RefineFlat(int triangle, const Shape& shape)
 {
-  if (shape.SquaredShortest < this->SquaredSmallestEdge)
+  if (shape.SquaredShortest < this->Splitter.GetSquaredSmallestEdge())
   {
     return Attempt::Refused;
   }
   const double farthest = this->CenterHeight(shape);
-  Attempt attempt = this->TryPoint(triangle, AboveEdge(shape, farthest), Purpose::Angle, 0.0);
+  Attempt attempt = this->TryPoint(
+    triangle, AboveEdge(shape, farthest), Purpose::Angle, 0.0, shape.SquaredShortest);
   // Down to the equilateral triangle on the shortest edge, never nearer to a vertex than that.
   const double nearest = 0.5 * std::numbers::sqrt3 * std::sqrt(shape.SquaredShortest);
   const double squaredSpacing = shape.SquaredShortest * (1.0 - 1e-9);
@@ -576,7 +335,8 @@ Attempt Refinement::RefineFlat(int triangle, const Shape& shape)
     for (int i = 0; i <= Tries && attempt == Attempt::Refused && nearest < farthest; ++i)
     {
       const double height = farthest + (nearest - farthest) * i / Tries;
-      attempt = this->TryPoint(triangle, AboveEdge(shape, height), purpose, squaredSpacing);
+      attempt = this->TryPoint(
+        triangle, AboveEdge(shape, height), purpose, squaredSpacing, shape.SquaredShortest);
     }
   }
   return attempt;
@@ -607,14 +367,15 @@ bool Refinement::Continue()
 
 RefinementOutcome Refinement::Run()
 {
+  const auto proceed = [this] { return this->Continue(); };
   for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
   {
-    if (this->CanSplit(segment) && this->IsEncroached(segment))
+    if (this->Splitter.CanSplit(segment) && this->Splitter.IsEncroached(segment))
     {
-      this->Enqueue(segment, false);
+      this->Splitter.Enqueue(segment, false);
     }
   }
-  if (!this->SplitWaitingSegments())
+  if (!this->Splitter.SplitWaiting(proceed))
   {
     return this->Outcome;
   }
@@ -634,7 +395,7 @@ RefinementOutcome Refinement::Run()
     const Shape shape = this->Measure(bad.Triangle);
     const Attempt attempt = shape.TooLarge ? this->RefineLarge(bad.Triangle, shape)
                                            : this->RefineFlat(bad.Triangle, shape);
-    if (!this->Continue() || !this->SplitWaitingSegments())
+    if (!this->Continue() || !this->Splitter.SplitWaiting(proceed))
     {
       return this->Outcome;
     }

@@ -19,6 +19,7 @@ namespace
 constexpr double ChainTolerance = 1e-12;
 // A promise, not a limit: no polygon tried came near it. The best circle found is returned.
 constexpr std::size_t MaximumCells = 1000000;
+constexpr double Thin = 0.02;     // height over longest side
 constexpr int MaximumBounds = 32; // in the linear program of a cell
 
 /** Twice the area over the perimeter; the rounding is that of the area alone. */
@@ -244,7 +245,8 @@ void InscribedCircleFinder::AddTriangles(PolygonView polygon)
   {
     const auto Corner = [&](std::size_t i)
     { return polygon[static_cast<std::size_t>(triangle[i])] - polygon[0]; };
-    Cell cell = { { Corner(0), Corner(1), Corner(2) }, 0.0, 0, this->Candidates.size(), false };
+    Cell cell = { { Corner(0), Corner(1), Corner(2) }, 0.0, 0, this->Candidates.size(), false,
+      false };
     double longest = 0.0;
     for (std::size_t i = 0; i < 3; ++i)
     {
@@ -263,29 +265,69 @@ void InscribedCircleFinder::Push(const Cell& cell)
   std::push_heap(this->Cells.begin(), this->Cells.end(), HasLowerBound);
 }
 
-/** Halves a triangle at its longest side. */
+/** Cuts a triangle in two through its longest side. */
 void InscribedCircleFinder::Split(const Cell& cell)
 {
   std::size_t longest = 0;
-  double length = -1.0;
+  double squared = -1.0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     const Point2 side = cell.Corners[(i + 1) % 3] - cell.Corners[i];
-    if (Dot(side, side) > length)
+    if (Dot(side, side) > squared)
     {
-      length = Dot(side, side);
+      squared = Dot(side, side);
       longest = i;
     }
   }
   const Point2& a = cell.Corners[longest];
   const Point2& b = cell.Corners[(longest + 1) % 3];
-  const Point2 middle = { 0.5 * (a.x + b.x), 0.5 * (a.y + b.y) };
+  const Point2& c = cell.Corners[(longest + 2) % 3];
+  const double height = std::abs(Dot(LeftOf(b - a), c - a));
   Cell half = cell;
+  half.Halved = cell.Halved || height > Thin * squared;
+  const double fraction = half.Halved ? 0.5 : this->EndOfNearestEdge(cell, a, b);
+  half.Halved = !half.Halved;
+  const Point2 middle = { a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y) };
   half.Corners[(longest + 1) % 3] = middle;
   this->Examine(half);
-  half = cell;
+  half.Corners[(longest + 1) % 3] = b;
   half.Corners[longest] = middle;
   this->Examine(half);
+}
+
+/**
+ * Where the side from a to b passes the end of the nearest edge that ends beside it; one half if
+ * there is none. In a thin cell the distance has a kink there that no plane follows, and halving
+ * alone would take as many cells as the cell is thin.
+ */
+double InscribedCircleFinder::EndOfNearestEdge(
+  const Cell& cell, const Point2& a, const Point2& b) const
+{
+  double best = 0.5;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cell.CandidateCount; ++i)
+  {
+    const int index = this->Candidates[cell.FirstCandidate + i];
+    const Edge& edge = this->Edges[static_cast<std::size_t>(index)];
+    const double from = Dot(a - edge.Start, edge.Direction);
+    const double to = Dot(b - edge.Start, edge.Direction);
+    for (const double end : { 0.0, edge.Length })
+    {
+      const double fraction = (end - from) / (to - from);
+      if (!(fraction > 1e-3) || !(fraction < 1.0 - 1e-3))
+      {
+        continue;
+      }
+      const Point2 point = { a.x + fraction * (b.x - a.x), a.y + fraction * (b.y - a.y) };
+      const double distance = this->See(point, index).Distance;
+      if (distance < nearest)
+      {
+        nearest = distance;
+        best = fraction;
+      }
+    }
+  }
+  return best;
 }
 
 /** Bounds a triangle, given the edges that count for it, and keeps it if it may hold the centre. */
@@ -391,32 +433,34 @@ double InscribedCircleFinder::BoundCell(const Cell& cell, double unit)
   return std::min(simple, unit * this->Program.Solve(0.1 * this->Tolerance(0.0) / unit).Height);
 }
 
-/** The distances of the corners to an edge, or to the line of its chain if that holds for all. */
+/** The distances of the corners to an edge, or to the line of its chain where that is closer. */
 std::array<double, 3> InscribedCircleFinder::CornerHeights(const Cell& cell, const Site& site) const
 {
   std::array<double, 3> heights;
-  const Edge& edge = this->Edges[static_cast<std::size_t>(site.Edge)];
-  if (edge.Chain >= 0)
-  {
-    const Chain& chain = this->Chains[static_cast<std::size_t>(edge.Chain)];
-    bool beside = true;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const Point2 offset = cell.Corners[i] - chain.Start;
-      const double along = Dot(offset, chain.Direction);
-      beside = beside && along >= 0.0 && along <= chain.Length;
-      heights[i] = std::abs(Dot(LeftOf(chain.Direction), offset)) + chain.Deviation;
-    }
-    if (beside)
-    {
-      return heights;
-    }
-  }
   for (std::size_t i = 0; i < 3; ++i)
   {
     heights[i] = this->See(cell.Corners[i], site.Edge).Distance;
   }
-  return heights;
+  const int index = this->Edges[static_cast<std::size_t>(site.Edge)].Chain;
+  if (index < 0)
+  {
+    return heights;
+  }
+  const Chain& chain = this->Chains[static_cast<std::size_t>(index)];
+  std::array<double, 3> lineHeights;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const Point2 offset = cell.Corners[i] - chain.Start;
+    const double along = Dot(offset, chain.Direction);
+    if (along < 0.0 || along > chain.Length)
+    {
+      return heights; // past its end the line says nothing of the distance to the chain
+    }
+    lineHeights[i] = std::abs(Dot(LeftOf(chain.Direction), offset)) + chain.Deviation;
+  }
+  const bool closer =
+    lineHeights[0] + lineHeights[1] + lineHeights[2] < heights[0] + heights[1] + heights[2];
+  return closer ? lineHeights : heights;
 }
 
 Circle LargestInscribedCircle(PolygonView polygon)

@@ -72,6 +72,7 @@ private:
     std::size_t FirstCandidate; // in Candidates: the edges that can be nearest to its points
     std::size_t CandidateCount;
     bool Examined; // false for the triangles to start with
+    bool Halved;   // whether a thin cell is to be cut in the middle next
   };
   struct Disc // no point of it is better than what is known
   {
@@ -96,6 +97,7 @@ private:
   std::array<double, 3> CornerHeights(const Cell& cell, const Site& site) const;
   bool IsInDisc(const Cell& cell) const;
   void Split(const Cell& cell);
+  double EndOfNearestEdge(const Cell& cell, const Point2& a, const Point2& b) const;
   void Climb(Point2 point);
   bool ClimbStep(Point2& point, double& distance);
   void AddDisc(const Point2& point, double distance);

@@ -6,7 +6,7 @@
 #include "ElementAccess.h"
 #include "ElementGeometry.h"
 #include "MetricSelection.h"
-#include "ParallelFor.h"
+#include "ParallelLoop.h"
 #include "Progress.h"
 
 #include <vtkCellArray.h>
@@ -205,7 +205,7 @@ int vtkPEMMetrics::RequestData(vtkInformation* vtkNotUsed(request),
   for (vtkIdType begin = 0; begin < elements; begin += chunk)
   {
     const vtkIdType end = std::min(begin + chunk, elements);
-    pemesh::ParallelFor(begin, end, measureRange);
+    pemesh::ParallelLoop(begin, end, 0, measureRange);
     if (!pemesh::ReportProgress(this, static_cast<double>(end) / static_cast<double>(elements)))
     {
       output->Initialize();

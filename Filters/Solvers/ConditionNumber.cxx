@@ -16,7 +16,7 @@ namespace pemesh
 namespace
 {
 
-constexpr int BlockColumns = 4;
+constexpr int BlockColumns = 8;
 constexpr int BlockSteps = 5;
 constexpr int SolveColumns = 64; // right-hand sides at a time for the exact norm
 
@@ -133,6 +133,47 @@ std::vector<std::size_t> RankRows(const std::vector<double>& block, std::size_t 
   return order;
 }
 
+// The first rows of the order that were not tried before, which from now on they were; none if
+// there are fewer than `wanted`.
+std::vector<std::size_t> TakeUntried(
+  const std::vector<std::size_t>& order, std::size_t wanted, std::vector<char>& tried)
+{
+  std::vector<std::size_t> rows;
+  for (const std::size_t row : order)
+  {
+    if (rows.size() < wanted && !tried[row])
+    {
+      rows.push_back(row);
+      tried[row] = 1;
+    }
+  }
+  return rows.size() == wanted ? rows : std::vector<std::size_t>{};
+}
+
+// Row is the unit vector that gave the norm, or the number of rows if another vector did.
+struct Estimate
+{
+  double Norm = 0.0;
+  std::size_t Row = 0;
+};
+
+// True if a column of the image has a larger sum; `units` are the unit vectors that gave it.
+bool Improve(Estimate& estimate, const std::vector<double>& image, std::size_t rows,
+  std::size_t columns, const std::vector<std::size_t>& units)
+{
+  bool better = false;
+  for (std::size_t column = 0; column < columns; ++column)
+  {
+    const double sum = ColumnSum(image, rows, column);
+    if (sum > estimate.Norm)
+    {
+      estimate = { sum, units.empty() ? rows : units[column] };
+      better = true;
+    }
+  }
+  return better;
+}
+
 } // namespace
 
 double ExactInverseNorm(const SparseCholesky& factor)
@@ -172,26 +213,14 @@ double EstimateInverseNorm(const SparseCholesky& factor)
     value /= static_cast<double>(rows);
   }
 
-  double estimate = 0.0;
-  std::size_t bestRow = rows;     // the unit vector that gave the estimate, if one did
+  Estimate estimate{ 0.0, rows };
   std::vector<std::size_t> units; // the unit vectors of the present step
   std::vector<char> tried(rows, 0);
   std::vector<double> height;
   for (int step = 0; step <= BlockSteps; ++step)
   {
     const std::vector<double> image = factor.Solve(start, static_cast<int>(columns));
-    bool better = false;
-    for (std::size_t column = 0; column < columns; ++column)
-    {
-      const double sum = ColumnSum(image, rows, column);
-      if (sum > estimate)
-      {
-        estimate = sum;
-        better = true;
-        bestRow = units.empty() ? rows : units[column];
-      }
-    }
-    if (!better || step == BlockSteps)
+    if (!Improve(estimate, image, rows, columns, units) || step == BlockSteps)
     {
       break;
     }
@@ -204,20 +233,12 @@ double EstimateInverseNorm(const SparseCholesky& factor)
     signs.MakeColumnsDiffer(previous, random);
     const std::vector<double> dual = factor.Solve(signs.GetValues(), static_cast<int>(columns));
     const std::vector<std::size_t> order = RankRows(dual, rows, columns, height);
-    if (bestRow < rows && height[order.front()] == height[bestRow])
+    if (estimate.Row < rows && height[order.front()] == height[estimate.Row])
     {
       break;
     }
-    units.clear();
-    for (const std::size_t row : order)
-    {
-      if (units.size() < columns && !tried[row])
-      {
-        units.push_back(row);
-        tried[row] = 1;
-      }
-    }
-    if (units.size() < columns)
+    units = TakeUntried(order, columns, tried);
+    if (units.empty())
     {
       break;
     }
@@ -227,7 +248,7 @@ double EstimateInverseNorm(const SparseCholesky& factor)
       start[column * rows + units[column]] = 1.0;
     }
   }
-  return estimate;
+  return estimate.Norm;
 }
 
 ConditionNumber ComputeConditionNumber(const SymmetricMatrix& matrix, const SparseCholesky& factor)

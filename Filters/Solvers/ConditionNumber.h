@@ -36,7 +36,7 @@ PEMESHFILTERSSOLVERS_EXPORT double ExactInverseNorm(const SparseCholesky& factor
 
 /**
  * A lower bound of ||A^-1||_1 by the block 1-norm power method of N. J. Higham, F. Tisseur, SIAM
- * J. Matrix Anal. Appl. 21 (2000) 1185-1201, algorithm 2.4 with four columns and at most five
+ * J. Matrix Anal. Appl. 21 (2000) 1185-1201, algorithm 2.4 with eight columns and at most five
  * steps (the method of W. W. Hager, SIAM J. Sci. Stat. Comput. 5 (1984) 311-316, with several
  * starts at once). The start is always the same, so the answer is too.
  */

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <stdexcept>
 
+#include <vtkCellArray.h>
 #include <vtkPolyData.h>
 
 namespace pemesh
@@ -195,6 +196,11 @@ std::int64_t LineScanner::Index(const char* what)
 
 void LineScanner::ZeroCoordinate()
 {
+  if (!this->AtLineEnd() && *this->Position == '0' && this->IsWordEnd(this->Position + 1))
+  {
+    ++this->Position; // by far the most frequent
+    return;
+  }
   const std::string_view word = this->PeekWord();
   if (this->Coordinate() != 0.0)
   {
@@ -232,6 +238,16 @@ void FailMeshFile(const std::filesystem::path& path, const std::string& what)
 std::string CountText(std::int64_t count, const char* one, const char* many)
 {
   return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
+std::size_t GuessTextSize(vtkPolyData* mesh)
+{
+  constexpr std::size_t bytesOfVertex = 48; // two coordinates of 20 characters, and what is around
+  constexpr std::size_t bytesOfCorner = 8;
+  const vtkCellArray* polygons = mesh->GetPolys();
+  return 4096 + bytesOfVertex * static_cast<std::size_t>(mesh->GetNumberOfPoints()) +
+    bytesOfCorner *
+    static_cast<std::size_t>(polygons->GetNumberOfConnectivityIds() + mesh->GetNumberOfPolys());
 }
 
 void CheckWritable(const std::filesystem::path& path, vtkPolyData* mesh)

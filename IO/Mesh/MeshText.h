@@ -7,6 +7,7 @@
 #ifndef pemesh_MeshText_h
 #define pemesh_MeshText_h
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
@@ -125,27 +126,51 @@ private:
 /** "3 vertices", "1 vertex": for messages. */
 std::string CountText(std::int64_t count, const char* one, const char* many);
 
-/** Text being written. */
+/** Text being written: numbers go straight into the buffer. */
 class TextBuffer
 {
 public:
-  void Reserve(std::size_t bytes) { this->Text.reserve(bytes); }
-  void Append(std::string_view text) { this->Text += text; }
-  void Append(char c) { this->Text += c; }
+  /** Room for this many bytes more; a guess that saves copying. */
+  void Reserve(std::size_t bytes)
+  {
+    if (this->Text.size() - this->Size < bytes)
+    {
+      this->Text.resize(std::max(this->Size + bytes, this->Text.size() + this->Text.size() / 2));
+    }
+  }
+
+  void Append(std::string_view text)
+  {
+    this->Reserve(text.size());
+    text.copy(this->Text.data() + this->Size, text.size());
+    this->Size += text.size();
+  }
+
+  void Append(char c)
+  {
+    this->Reserve(1);
+    this->Text[this->Size++] = c;
+  }
 
   template <typename Value>
   void AppendValue(Value value)
   {
-    char buffer[32];
-    const auto result = std::to_chars(buffer, buffer + sizeof(buffer), value);
-    this->Text.append(buffer, result.ptr);
+    constexpr std::size_t longest = 32;
+    this->Reserve(longest);
+    char* first = this->Text.data() + this->Size;
+    this->Size +=
+      static_cast<std::size_t>(std::to_chars(first, first + longest, value).ptr - first);
   }
 
-  const std::string& GetText() const { return this->Text; }
+  std::string_view GetText() const { return { this->Text.data(), this->Size }; }
 
 private:
   std::string Text;
+  std::size_t Size = 0;
 };
+
+/** The bytes that a text file of the mesh may take, roughly. */
+std::size_t GuessTextSize(vtkPolyData* mesh);
 
 /** Throws unless the mesh can be written as text: polygons only, finite, planar. */
 void CheckWritable(const std::filesystem::path& path, vtkPolyData* mesh);

@@ -273,6 +273,7 @@ std::vector<char> BoundaryMarkers(vtkPolyData* mesh)
 void WriteNodeFile(const std::filesystem::path& path, vtkPolyData* mesh, bool standard)
 {
   TextBuffer text;
+  text.Reserve(GuessTextSize(mesh));
   text.AppendValue(mesh->GetNumberOfPoints());
   text.Append(standard ? " 2 0 1\n" : " 0\n");
   const std::vector<char> markers = standard ? BoundaryMarkers(mesh) : std::vector<char>();
@@ -301,6 +302,7 @@ void WriteElementFile(const std::filesystem::path& path, vtkPolyData* mesh, bool
 {
   const bool triangles = mesh->GetPolys()->GetMaxCellSize() == 3;
   TextBuffer text;
+  text.Reserve(GuessTextSize(mesh));
   text.AppendValue(mesh->GetNumberOfPolys());
   text.Append(!standard ? "\n" : triangles ? " 3 0\n" : " 0 0\n");
   ElementAccess elements(mesh);

@@ -139,6 +139,7 @@ void WriteObj(const std::filesystem::path& path, vtkPolyData* mesh)
 {
   CheckWritable(path, mesh);
   TextBuffer text;
+  text.Reserve(GuessTextSize(mesh));
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double point[3];

@@ -155,6 +155,7 @@ void WriteOff(const std::filesystem::path& path, vtkPolyData* mesh)
 {
   CheckWritable(path, mesh);
   TextBuffer text;
+  text.Reserve(GuessTextSize(mesh));
   text.Append("OFF\n");
   text.AppendValue(mesh->GetNumberOfPoints());
   text.Append(' ');

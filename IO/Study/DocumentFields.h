@@ -94,14 +94,17 @@ struct NumberRange
     const bool hasGreatest = std::isfinite(this->Greatest);
     if (!std::isfinite(this->Least))
     {
-      return hasGreatest ? "at most " + FormatNumber(this->Greatest) : "";
+      return hasGreatest ? "at most " + Show(this->Greatest) : "";
     }
     if (!hasGreatest)
     {
-      return (this->ExcludesLeast ? "greater than " : "at least ") + FormatNumber(this->Least);
+      return (this->ExcludesLeast ? "greater than " : "at least ") + Show(this->Least);
     }
-    return "between " + FormatNumber(this->Least) + " and " + FormatNumber(this->Greatest);
+    return "between " + Show(this->Least) + " and " + Show(this->Greatest);
   }
+
+  /** 10000000 rather than 1e+07. */
+  static std::string Show(double value) { return FormatJsonCompact(JsonNumber(value)); }
 
   bool Has(double value) const
   {
@@ -429,8 +432,7 @@ JsonValue WriteFields(const FieldTable<Owner>& table, const Owner& owner)
 template <typename Owner>
 std::optional<JsonValue> DefaultOf(const Field<Owner>& field)
 {
-  const Owner owner;
-  return field.DescribeParts || !field.IsFor(owner) ? std::nullopt : field.Write(owner);
+  return field.DescribeParts ? std::nullopt : field.Write(Owner());
 }
 
 template <typename Owner>

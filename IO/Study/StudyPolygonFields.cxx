@@ -64,10 +64,15 @@ std::vector<Field<StudyPolygon>> CountFields()
   for (const auto& [countName, names] : families)
   {
     const std::string name = countName;
-    fields.push_back(
-      IntegerField(name, &StudyPolygon::Count, 1, MaximumPolygonCount,
-        "How many it has at t = 1; by default the family's own number.")
-        .Only([name](const StudyPolygon& polygon) { return Counts(polygon, name); }, names));
+    Field<StudyPolygon> field = IntegerField(name, &StudyPolygon::Count, 1, MaximumPolygonCount,
+      "How many it has at t = 1; by default the family's own number.");
+    field.Write = [](const StudyPolygon& polygon)
+    {
+      return polygon.Count > 0 ? std::optional(JsonValue{ std::int64_t{ polygon.Count } })
+                               : std::nullopt;
+    };
+    const auto applies = [name](const StudyPolygon& polygon) { return Counts(polygon, name); };
+    fields.push_back(std::move(field).Only(applies, names));
   }
   return fields;
 }
@@ -100,7 +105,7 @@ FieldTable<StudyPolygon> PolygonFields()
     TextField("name", &StudyPolygon::Name, "What messages call it, by default its number."),
     CenterField(),
     NumberField("scale", &StudyPolygon::Scale, { .Least = 0.0, .ExcludesLeast = true },
-      "Diagonal of its bounding box before rotation, in halves of the unit length."),
+      "At scale 1 the diagonal of its bounding box, before rotation, is 0.5."),
     NumberField("rotation", &StudyPolygon::Rotation, {}, "Degrees, counter-clockwise.") };
   for (Field<StudyPolygon>& field : CountFields())
   {

@@ -89,6 +89,7 @@ TEST(CairoDevice, TheThreeFormatsShowTheSame)
   const auto png = ChartSupport::ReadPng(PaintTo("AllCalls", 0, AllCalls));
   ASSERT_EQ(png.Width, 200);
   ASSERT_EQ(png.Height, 100);
+  EXPECT_FALSE(png.IsWhite(110, 85)); // an ellipse is filled, here with half-transparent blue
   for (const int format : { 1, 2 })
   {
     const std::string path = PaintTo("AllCalls", format, AllCalls);

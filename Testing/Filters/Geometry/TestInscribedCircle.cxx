@@ -57,6 +57,23 @@ TEST(InscribedCircle, HardPolygonsAgreeWithAllTriples)
   EXPECT_NEAR(LargestInscribedCircle(StarFamily(40)).Radius, 1.0, 1e-14);
 }
 
+TEST(InscribedCircle, SquashedPolygonsAgreeWithAllTriples)
+{
+  // Ever thinner, and not convex: the search must not take as many steps as they are thin. (Below
+  // 1e-8 it is the enumeration, in extended precision, that loses its digits.)
+  for (std::uint64_t seed = 0; seed < 60; ++seed)
+  {
+    Random random(seed);
+    Polygon polygon = Untangled(random, 10);
+    for (Point2& point : polygon)
+    {
+      point.y *= std::pow(10.0, -0.13 * static_cast<double>(seed));
+    }
+    const double expected = BruteInscribedRadius(polygon);
+    EXPECT_NEAR(LargestInscribedCircle(polygon).Radius, expected, 1e-11 * expected + 4e-15) << seed;
+  }
+}
+
 TEST(InscribedCircle, TheCircleIsInside)
 {
   for (std::uint64_t seed = 0; seed < 100; ++seed)

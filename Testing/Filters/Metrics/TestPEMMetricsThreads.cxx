@@ -51,7 +51,7 @@ vtkSmartPointer<vtkPolyData> Measure(vtkPolyData* mesh, int threads)
 
 TEST(vtkPEMMetrics, TheSameBitsWithAnyNumberOfThreads)
 {
-  const auto mesh = MakeMesh(Stars(20000));
+  const auto mesh = MakeMesh(Stars(4000));
   const auto one = Measure(mesh, 1);
   for (const int threads : { 2, 3 })
   {

@@ -239,6 +239,39 @@ TEST(PEMSeriesTable, AbortEmptiesTheOutputAndStartsOver)
   EXPECT_EQ(walk.Source->Asked.size(), 4u);
 }
 
+/** Passes a table through and counts how often it is asked to. */
+class CountingFilter : public vtkTableAlgorithm
+{
+public:
+  static CountingFilter* New();
+  int Executions = 0;
+
+protected:
+  int RequestData(
+    vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override
+  {
+    ++this->Executions;
+    vtkTable::GetData(output, 0)->ShallowCopy(vtkTable::GetData(input[0], 0));
+    return 1;
+  }
+};
+vtkStandardNewMacro(CountingFilter);
+
+TEST(PEMSeriesTable, FiltersDownstreamSeeTheWholeTableOnce)
+{
+  Walk walk;
+  vtkNew<CountingFilter> after;
+  after->SetInputConnection(walk.Series->GetOutputPort());
+  EXPECT_EQ(after->GetExecutive()->Update(), 1);
+  EXPECT_EQ(after->Executions, 1);
+  EXPECT_EQ(after->GetOutput()->GetNumberOfRows(), 4);
+  // A failure on the way does not reach them.
+  walk.Source->FailAt = 0.5;
+  walk.Source->Modified();
+  EXPECT_EQ(after->GetExecutive()->Update(), 0);
+  EXPECT_EQ(after->Executions, 1);
+}
+
 TEST(PEMSeriesTable, PrintsItself)
 {
   vtkNew<vtkPEMSeriesTable> series;

@@ -145,19 +145,17 @@ TEST(MeshFormats, ClockwiseElementsAreReversedAndOthersNot)
   EXPECT_EQ(PolygonsOf(mesh), (TestPolygons{ { 0, 1, 2 }, { 2, 3, 0 } }));
 }
 
-TEST(MeshFormats, NeedlesAreNotTurnedByRounding)
+TEST(MeshFormats, NeedlesAreTurnedOnlyIfTheyAreClockwise)
 {
-  // All are counter-clockwise by less than rounding shows: the apex is one bit above the line
-  // from (0.1, 0.1) to (0.3, 0.3), on which an odd number of doubles lies.
-  const double above = std::nextafter(0.2, 1.0);
-  const auto needle = MakeTestMesh({ { 0.1, 0.1 }, { 0.3, 0.3 }, { 0.2, above } }, { { 0, 1, 2 } });
+  // One bit beside the line through (12, 12) and (24, 24), where differences round to a straight
+  // line (Kettner et al., Classroom examples of robustness problems, Comput. Geom. 40 (2008)).
+  const double above = std::nextafter(0.5, 1.0);
   const std::filesystem::path path = TestFolder() / "needle.off";
-  WriteMesh(path, needle);
-  ExpectSameMesh(ReadMesh(path), needle);
-
-  const auto mirrored =
-    MakeTestMesh({ { 0.1, 0.1 }, { 0.3, 0.3 }, { above, 0.2 } }, { { 0, 1, 2 } });
-  WriteMesh(path, mirrored);
+  const auto left = MakeTestMesh({ { 0.5, above }, { 12, 12 }, { 24, 24 } }, { { 0, 1, 2 } });
+  WriteMesh(path, left);
+  ExpectSameMesh(ReadMesh(path), left);
+  const auto right = MakeTestMesh({ { above, 0.5 }, { 12, 12 }, { 24, 24 } }, { { 0, 1, 2 } });
+  WriteMesh(path, right);
   EXPECT_EQ(PolygonsOf(ReadMesh(path)), (TestPolygons{ { 0, 2, 1 } }));
 
   // Without an area there is nothing to turn.

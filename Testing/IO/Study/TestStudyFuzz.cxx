@@ -110,7 +110,7 @@ void Fuzz(const std::string& seedText, int rounds, std::uint64_t seed, Read read
 
 TEST(StudyFuzz, Documents)
 {
-  Fuzz(FullStudy, 6000, 1,
+  Fuzz(FullStudy, 2500, 1,
     [](const std::string& text)
     {
       const pemesh::Study study = pemesh::ParseStudy(text, "s.json");
@@ -121,7 +121,7 @@ TEST(StudyFuzz, Documents)
 
 TEST(StudyFuzz, Settings)
 {
-  Fuzz("polygons[0].center[1]=0.25", 3000, 2,
+  Fuzz("polygons[0].center[1]=0.25", 1000, 2,
     [](const std::string& setting)
     { pemesh::ParseStudy(pemesh::ApplySetting(FullStudy, setting), "s.json"); });
 }
@@ -130,7 +130,7 @@ TEST(StudyFuzz, SolverDescriptions)
 {
   const std::string text =
     pemesh::ReadTextFile(std::string(PEMESH_SOURCE_DIR) + "/Applications/Solvers/pemesh-vem.json");
-  Fuzz(text, 3000, 3,
+  Fuzz(text, 1500, 3,
     [](const std::string& changed)
     {
       const auto description = pemesh::ParseSolverDescription(changed, "t.json");

@@ -17,6 +17,11 @@ struct BadStudy
   const char* Sentence; // after "\"s.json\": " unless it starts with a quote
 };
 
+void PrintTo(const BadStudy& study, std::ostream* stream)
+{
+  *stream << study.Text;
+}
+
 std::string Polygons(const std::string& rest)
 {
   return R"({"pemesh": 1, "polygons": [{"family": "comb"}], )" + rest + "}";

@@ -8,7 +8,7 @@
 #ifndef pemesh_ParallelLoop_h
 #define pemesh_ParallelLoop_h
 
-#include "pemeshFiltersSolversModule.h" // For export macro
+#include "pemeshFiltersCoreModule.h" // For export macro
 
 #include <functional>
 
@@ -21,11 +21,11 @@ namespace pemesh
  * Calls `body(first, last)` for parts of the range, in any order and from several threads. `grain`
  * is the length of a part; 0 leaves it to VTK. `body` must not throw.
  */
-PEMESHFILTERSSOLVERS_EXPORT void ParallelLoop(vtkIdType first, vtkIdType last, vtkIdType grain,
+PEMESHFILTERSCORE_EXPORT void ParallelLoop(vtkIdType first, vtkIdType last, vtkIdType grain,
   const std::function<void(vtkIdType, vtkIdType)>& body);
 
 /** The most threads a ParallelLoop may use from now on; 0 for one a processor. */
-PEMESHFILTERSSOLVERS_EXPORT void SetNumberOfThreads(int threads);
+PEMESHFILTERSCORE_EXPORT void SetNumberOfThreads(int threads);
 
 } // namespace pemesh
 
