@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * What must hold of every mesh of the unit square, checked in rational arithmetic: an independent
+ * judge of the mesher, which never shares code with it.
+ */
+#ifndef pemesh_MeshInvariants_h
+#define pemesh_MeshInvariants_h
+
+#include "Point2.h"
+
+#include <string>
+#include <vector>
+
+class vtkPolyData;
+
+using PolygonVertices = std::vector<pemesh::Point2>;
+
+/** By the shoelace formula, in double precision. */
+double SignedArea(const PolygonVertices& polygon);
+
+/** In exact arithmetic. */
+bool IsSimpleAndCounterClockwise(const PolygonVertices& polygon);
+
+/** The vertices of a cell. */
+PolygonVertices VerticesOf(vtkPolyData* mesh, int cell);
+
+/**
+ * Empty if the mesh is one of the unit square: double points, none unused and none twice; all cells
+ * polygons, simple and counter-clockwise; their areas add up to exactly 1; every edge is used once
+ * in one direction and once in the other, or lies on the border of the square; `PolygonId` and
+ * `ElementFamily` are there and placed polygons come first. Else a sentence.
+ */
+std::string WhyNotAMesh(vtkPolyData* mesh);
+
+/** Empty if no edge between two fillers could be flipped to make both more nearly Delaunay. */
+std::string WhyNotConstrainedDelaunay(vtkPolyData* mesh);
+
+/** Empty if no filler sees the edge of a placed polygon or of the square under an obtuse angle. */
+std::string WhyNotConforming(vtkPolyData* mesh);
+
+/** The angles of the triangle in degrees, smallest first, by the law of cosines. */
+std::vector<double> AnglesOf(const PolygonVertices& triangle);
+
+/** The smallest angle in degrees that the polygon leaves outside at any of its vertices. */
+double SmallestOuterAngle(const PolygonVertices& polygon);
+
+#endif
