@@ -4,6 +4,7 @@
 
 #include "CsvTable.h"
 #include "MeshFormats.h"
+#include "SolverCommand.h"
 #include "SolverDescription.h"
 #include "SolverDescriptionFile.h"
 #include "Study.h"
@@ -141,6 +142,10 @@ void vtkPEMRunner::Internals::LoadStudy()
     this->Study.Output.Formats = this->MeshFormats;
   }
   this->Solvers = pemesh::FindStudySolvers(this->Study);
+  for (std::size_t i = 0; i < this->Solvers.size(); ++i)
+  {
+    this->Study.Solvers[i].Version = pemesh::AskSolverVersion(this->Solvers[i]);
+  }
   this->Cases = pemesh::MakeStudyCases(this->Study);
   this->Output = this->OutputDirectory.empty() ? fs::path(this->Study.Name) : this->OutputDirectory;
   if (this->Output.empty())

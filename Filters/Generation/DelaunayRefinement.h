@@ -6,20 +6,22 @@
  * The algorithm is Ruppert's: a segment with a vertex inside its diametral circle is split; a
  * triangle that is too large or too flat is destroyed by a point at its circumcentre, or nearer at
  * its off-centre (Uengoer), unless that point would be inside the diametral circle of a segment,
- * which is then split instead. Three things make it end on every input:
- *  - segments that leave an input vertex at an angle below 90 degrees are split at powers of two
- *    from it (Ruppert's concentric shells; Shewchuk 2002, section 3.6), and a flat triangle whose
- *    shortest edge joins two such segments at equal distance from a vertex with an angle below 60
- *    degrees stays (Miller, Pav, Walkington 2005);
- *  - a triangle is not refined for its angles where its shortest edge is far below the smallest
- *    feature of the input: bounds beyond 20.7 degrees may otherwise shrink edges without end;
- *  - the number of triangles is bounded.
+ * which is then split instead. How segments are split, above all at small angles of the domain, is
+ * told in BoundarySplitter.h. The result has no angle below the bound but where an angle of the
+ * domain itself is below it, or the bound is beyond what Ruppert's proof covers (20.7 degrees) and
+ * the limits below come first. It ends on every input:
+ *  - up to 20.7 degrees by that proof, which small angles of the domain do not disturb, because
+ *    they are never split where that would shorten the shortest edge around;
+ *  - beyond, because no triangle is refined for its angles, and no segment split, where an edge is
+ *    a thousand times shorter than the smallest feature of the input;
+ *  - in any case because the number of triangles is bounded.
  *
  * Segments that must not be split (preserved ones) get no diametral circle. A point for a flat
- * triangle is refused where it is hidden behind one, where it sees one at an angle of more than
- * 180 degrees minus twice the bound (the triangle of the two would be flat as well), or where it
- * would shorten the shortest edge around; nearer points are tried then, and if none will do the
- * triangle stays. A triangle that is too large is always split: at its centroid if need be.
+ * triangle is refused where it is hidden behind one, or where it sees one at an angle of more than
+ * 180 degrees minus twice the bound, for the triangle of the two would be flat as well; nearer
+ * points are tried then, which must not shorten the shortest edge of the triangle. The second
+ * reason counts only for triangles that touch a preserved segment anyway. If no point will do, the
+ * triangle stays. A triangle that is too large is always split, at a point inside it if need be.
  */
 #ifndef pemesh_DelaunayRefinement_h
 #define pemesh_DelaunayRefinement_h

@@ -23,8 +23,8 @@ const std::vector<Point2> UnitSquare = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 
 
 std::string TooManyElements(const DomainMeshOptions& options, double expected)
 {
-  std::string message = "The mesh would have more than " +
-    FormatNumber(static_cast<double>(options.MaximumElements)) + " elements";
+  std::string message =
+    "The mesh would have more than " + std::to_string(options.MaximumElements) + " elements";
   if (expected > 0.0)
   {
     message += " (at least " + FormatNumber(std::ceil(expected)) + ", for no triangle may exceed " +

@@ -19,11 +19,12 @@
  * The triangles form a constrained Delaunay triangulation of the square minus the polygons, refined
  * until no triangle is larger than the area rule allows or has an angle below the minimum. Edges of
  * polygons are split where the refinement asks for it: the polygon gains straight vertices, as
- * straight as doubles can be. The triangulation then is conforming: no triangle vertex lies in the
- * smallest circle through the ends of an edge that it sees. With PreservePolygons no polygon edge
- * is split, the polygons keep exactly their own vertices, and triangles that touch them may keep
- * smaller angles. Angles of the domain below 60 degrees, between two edges of a polygon, also
- * force smaller angles near by. The area bound always holds.
+ * straight as doubles can be. The triangulation then is conforming: no vertex lies in the smallest
+ * circle through the ends of an edge of a polygon or the square that it sees; and every angle
+ * reaches the minimum, unless two edges of a polygon enclose a smaller one outside it.
+ * With PreservePolygons no polygon edge is split: the polygons keep exactly their own vertices, and
+ * triangles that touch them, or lie where a long preserved edge leaves too little room, may keep
+ * smaller angles. The area bound always holds.
  *
  * Failures of one case (see CaseStatus.h): "invalid-layout" if polygons cross themselves, overlap,
  * touch, or leave or touch the border of the square (the message names them and t; nothing is

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <vector>
 
 namespace pemesh
@@ -238,26 +239,35 @@ PolygonRelation RelateTouching(const std::vector<Edge>& first, const std::vector
   return b.Outside == 0 ? PolygonRelation::SecondInsideFirst : PolygonRelation::Overlapping;
 }
 
-/** The strongest contact of any edge of one polygon with any edge of the other. */
-Contact FindContact(std::vector<Edge> first, std::vector<Edge> second)
+/** Only the edges whose bounding boxes meet that of all the other edges: usually few. */
+std::vector<Edge> EdgesNear(const std::vector<Edge>& edges, const std::vector<Edge>& others)
 {
-  SortFromWestToEast(first);
+  Edge box = { { others[0].West(), others[0].South() }, { others[0].East(), others[0].North() } };
+  for (const Edge& other : others)
+  {
+    box.From = { std::min(box.From.x, other.West()), std::min(box.From.y, other.South()) };
+    box.To = { std::max(box.To.x, other.East()), std::max(box.To.y, other.North()) };
+  }
+  std::vector<Edge> near;
+  std::copy_if(edges.begin(), edges.end(), std::back_inserter(near),
+    [&box](const Edge& edge)
+    {
+      return edge.East() >= box.West() && edge.West() <= box.East() &&
+        edge.North() >= box.South() && edge.South() <= box.North();
+    });
+  return near;
+}
+
+/** The strongest contact of any edge of one polygon with any edge of the other. */
+Contact FindContact(const std::vector<Edge>& allFirst, const std::vector<Edge>& allSecond)
+{
+  const std::vector<Edge> first = EdgesNear(allFirst, allSecond);
+  std::vector<Edge> second = EdgesNear(allSecond, allFirst);
   SortFromWestToEast(second);
   Contact strongest = Contact::None;
-  std::size_t start = 0;
-  double widest = 0.0;
-  for (const Edge& edge : second)
-  {
-    widest = std::max(widest, edge.East() - edge.West());
-  }
   for (const Edge& a : first)
   {
-    // No edge of the second polygon that starts so far west can reach `a` (up to rounding).
-    while (start < second.size() && second[start].West() + 2.0 * widest < a.West())
-    {
-      ++start;
-    }
-    for (std::size_t j = start; j < second.size() && second[j].West() <= a.East(); ++j)
+    for (std::size_t j = 0; j < second.size() && second[j].West() <= a.East(); ++j)
     {
       const Contact contact = FindContact(a, second[j]);
       if (contact == Contact::Cross)

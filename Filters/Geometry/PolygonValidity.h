@@ -59,7 +59,7 @@ enum class PolygonRelation
   Equal              ///< the same region
 };
 
-/** Cost: O((n + m) log(n + m) + pairs of edges whose bounding boxes meet). */
+/** Cost: linear, and quadratic in the edges that come near the other polygon's bounding box. */
 PEMESHFILTERSGEOMETRY_EXPORT PolygonRelation RelatePolygons(PolygonView first, PolygonView second);
 
 /** How a polygon lies in an axis-parallel rectangle. */

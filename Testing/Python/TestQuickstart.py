@@ -40,6 +40,7 @@ def make_mesher(study, layout):
     mesher = pemesh.vtkPEMDomainMesher()
     mesher.SetInputConnection(layout.GetOutputPort())
     mesher.SetAreaRuleByName(mesh["max-area"]["rule"])
+    mesher.SetMaximumArea(mesh["max-area"]["value"])
     mesher.SetMinimumAngle(mesh["min-angle"])
     mesher.SetPreservePolygons(mesh["preserve-polygons"])
     return mesher
@@ -52,8 +53,8 @@ def make_solver(run, source):
     solver.SetRunName(run["name"])
     program, *arguments = description["command"]
     solver.SetCommand([str(BUILD / "bin" / program), *arguments])
-    for name, option in description["options"].items():
-        solver.AddOption(name, option["type"], str(option["default"]))
+    for option in description["options"]:
+        solver.AddOption(option["name"], option["type"], str(option["default"]))
     for name in ("order", "problem"):
         solver.SetOption(name, str(run[name]))
     for performance in description["performances"]:

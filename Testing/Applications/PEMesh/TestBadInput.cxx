@@ -81,9 +81,9 @@ INSTANTIATE_TEST_SUITE_P(Files, BadMeshFile,
     BadMesh{ "truncated", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n", "line" },
     BadMesh{ "wrong-index", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 4\n", "line 7" },
     BadMesh{ "nan", "OFF\n4 1 0\n0 0 0\nnan 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "line 4" }),
-  [](const auto& info)
+  [](const auto& parameter)
   {
-    std::string name = info.param.Name;
+    std::string name = parameter.param.Name;
     name.erase(std::remove(name.begin(), name.end(), '-'), name.end());
     return name;
   });
@@ -188,7 +188,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, FailingSolver,
     BadSolver{ "hangs", "sleep 60\n", "time-out", "second" },
     BadSolver{ "short", "printf '1\\n2\\n' > \"$2/$3-solution.txt\"; echo 1 > \"$2/$3-error.txt\"\n",
       "bad-output", "2" }),
-  [](const auto& info) { return std::string(info.param.Name); });
+  [](const auto& parameter) { return std::string(parameter.param.Name); });
 
 TEST(BadSolverName, IsRefusedBeforeAnythingRuns)
 {

@@ -242,24 +242,40 @@ TEST(DomainMesher, ClockwisePolygonsAreTurnedRound)
 
 TEST(DomainMesher, PolygonsAlmostTouching)
 {
-  const double gap = 1e-7;
-  const PolygonVertices left = { { 0.2, 0.3 }, { 0.5 - gap, 0.3 }, { 0.5 - gap, 0.6 },
-    { 0.2, 0.6 } };
-  const PolygonVertices right = { { 0.5, 0.2 }, { 0.8, 0.2 }, { 0.8, 0.5 }, { 0.5, 0.5 } };
-  const PolygonVertices corner = { { gap, gap }, { 0.1, gap }, { 0.1, 0.1 }, { gap, 0.1 } };
+  // A tip almost at an edge, and a tip almost at the border; the mesh is graded down to the gaps.
+  const double gap = 1e-9;
+  const PolygonVertices tip = { { 0.2, 0.3 }, { 0.5 - gap, 0.4 }, { 0.2, 0.6 } };
+  const PolygonVertices square = { { 0.5, 0.2 }, { 0.8, 0.2 }, { 0.8, 0.5 }, { 0.5, 0.5 } };
+  const PolygonVertices atBorder = { { 0.1, 0.8 }, { 0.3, 0.8 }, { 0.17, 1.0 - gap } };
   for (const bool preserve : { false, true })
   {
     vtkNew<vtkPEMDomainMesher> mesher;
     mesher->SetPreservePolygons(preserve);
-    mesher->SetInputData(MakeLayout({ left, right, corner }));
-    if (!preserve) // millions of triangles in a gap of that length and width would hold 20 degrees
-    {
-      mesher->SetMinimumAngle(0.0);
-    }
+    mesher->SetInputData(MakeLayout({ tip, square, atBorder }));
     mesher->Update();
     EXPECT_EQ(pemesh::GetCaseStatusMessage(mesher->GetOutput()), "");
     EXPECT_EQ(WhyNotAMesh(mesher->GetOutput()), "");
+    EXPECT_LT(mesher->GetOutput()->GetNumberOfCells(), 3000);
+    if (!preserve)
+    {
+      EXPECT_GE(pemesh::GetFieldNumber(mesher->GetOutput(), "AttainedMinimumAngle"), 20.0);
+    }
   }
+}
+
+TEST(DomainMesher, PreservedPolygonsWithALongNarrowGap)
+{
+  const double gap = 1e-9;
+  const PolygonVertices left = { { 0.2, 0.3 }, { 0.5 - gap, 0.3 }, { 0.5 - gap, 0.6 },
+    { 0.2, 0.6 } };
+  const PolygonVertices right = { { 0.5, 0.2 }, { 0.8, 0.2 }, { 0.8, 0.5 }, { 0.5, 0.5 } };
+  vtkNew<vtkPEMDomainMesher> mesher;
+  mesher->PreservePolygonsOn();
+  mesher->SetInputData(MakeLayout({ left, right }));
+  mesher->Update();
+  EXPECT_EQ(pemesh::GetCaseStatusMessage(mesher->GetOutput()), "");
+  EXPECT_EQ(WhyNotAMesh(mesher->GetOutput()), "");
+  EXPECT_LT(mesher->GetOutput()->GetNumberOfCells(), 3000);
 }
 
 // --- Refusals
