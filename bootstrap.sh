@@ -56,6 +56,7 @@ install_packages() {
     $missing >/dev/null || fail "apt-get could not install them: see its message above."
 }
 
+# With arguments, builds only these targets.
 build() {
   cores=$(nproc)
   say "Configuring."
@@ -63,7 +64,7 @@ build() {
   cmake --preset release ${PEMESH_CMAKE_ARGUMENTS:-} >build-log.txt 2>&1 ||
     { tail -n 40 build-log.txt; fail "cmake failed: the whole log is build-log.txt."; }
   say "Building with $cores cores (the first time takes some minutes)."
-  cmake --build --preset release --parallel "$cores" >>build-log.txt 2>&1 ||
+  cmake --build --preset release --parallel "$cores" ${*:+--target "$@"} >>build-log.txt 2>&1 ||
     { grep -E -A6 'error|FAILED' build-log.txt | head -n 60
       fail "the build failed: the whole log is build-log.txt."; }
 }
@@ -73,7 +74,7 @@ command=${1:-help}
 case "$command" in
   demo)
     install_packages
-    build
+    build pemesh pemesh-vem
     say "Running the study Data/Studies/quickstart.json."
     build/release/bin/pemesh run Data/Studies/quickstart.json -o quickstart "$@"
     say "The study is in $(pwd)/quickstart, its plots in $(pwd)/quickstart/plots."

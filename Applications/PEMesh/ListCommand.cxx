@@ -52,11 +52,11 @@ Json MetricsAsJson()
   for (const Metric& metric : Metrics())
   {
     const char* good = metric.Good > 0 ? "up" : metric.Good < 0 ? "down" : "none";
-    list.push_back({ { "name", metric.Name }, { "symbol", metric.Symbol },
-      { "label", metric.Label }, { "formula", metric.Formula },
-      { "description", metric.Description }, { "range", metric.Range }, { "good", good },
-      { "scale-invariant", metric.ScaleInvariant }, { "unit", metric.Unit },
-      { "reference", metric.Reference } });
+    list.push_back(
+      { { "name", metric.Name }, { "symbol", metric.Symbol }, { "label", metric.Label },
+        { "formula", metric.Formula }, { "description", metric.Description },
+        { "range", metric.Range }, { "good", good }, { "scale-invariant", metric.ScaleInvariant },
+        { "unit", metric.Unit }, { "reference", metric.Reference } });
   }
   return list;
 }
@@ -87,8 +87,8 @@ Json ProblemsAsJson()
   Json list = Json::array();
   for (const TestProblem& problem : TestProblems())
   {
-    list.push_back({ { "name", problem.Name }, { "label", problem.Label },
-      { "formula", problem.Formula } });
+    list.push_back(
+      { { "name", problem.Name }, { "label", problem.Label }, { "formula", problem.Formula } });
   }
   return list;
 }
@@ -98,8 +98,7 @@ Json RulesAsJson()
   Json list = Json::array();
   for (const AreaRule& rule : AreaRules())
   {
-    list.push_back(
-      { { "name", rule.Name }, { "label", rule.Label }, { "formula", rule.Formula } });
+    list.push_back({ { "name", rule.Name }, { "label", rule.Label }, { "formula", rule.Formula } });
   }
   return list;
 }

@@ -202,7 +202,8 @@ void AddMeshCommands(CLI::App& program, int& exitCode)
   auto draw = std::make_shared<RenderArguments>();
   CLI::App* render = program.add_subcommand("render", "Draw a mesh file");
   render->add_option("MESH", draw->Mesh, "Mesh file")->required();
-  render->add_option("-o,--output", draw->Output, "Figure to write: .png, .svg or .pdf")->required();
+  render->add_option("-o,--output", draw->Output, "Figure to write: .png, .svg or .pdf")
+    ->required();
   render->add_option("--color-by", draw->ColorBy, "Metric, or array of the file");
   render->add_option("--highlight", draw->Highlight, "Mark extreme elements")
     ->check(CLI::IsMember({ "none", "min", "max", "both" }));

@@ -88,7 +88,8 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
 
 void AddWorkersOption(CLI::App* command, int& workers)
 {
-  command->add_option("-j,--jobs", workers, "Meshes worked on at the same time (default: one a core)")
+  command
+    ->add_option("-j,--jobs", workers, "Meshes worked on at the same time (default: one a core)")
     ->check(CLI::Range(1, 1024));
 }
 
@@ -100,7 +101,8 @@ void AddRun(CLI::App& program, int& exitCode)
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: the name of the study)");
   AddWorkersOption(command, arguments->Workers);
-  command->add_option("--set", arguments->Settings, "Change a value of the study: mesh.min-angle=25")
+  command
+    ->add_option("--set", arguments->Settings, "Change a value of the study: mesh.min-angle=25")
     ->type_name("PATH=VALUE")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -122,7 +124,8 @@ void AddRun(CLI::App& program, int& exitCode)
 void AddGenerate(CLI::App& program, int& exitCode)
 {
   auto arguments = std::make_shared<StudyArguments>();
-  CLI::App* command = program.add_subcommand("generate", "Make the meshes of a study, nothing else");
+  CLI::App* command =
+    program.add_subcommand("generate", "Make the meshes of a study, nothing else");
   command->add_option("STUDY", arguments->Study, "Study document (.json)")->required();
   command->add_option("-o,--output", arguments->Output, "Folder for the meshes")->required();
   AddWorkersOption(command, arguments->Workers);
@@ -161,9 +164,8 @@ std::string SolveDocument(const SolveArguments& arguments)
     }
     const std::string value = option.substr(equals + 1);
     const auto parsed = nlohmann::ordered_json::parse(value, nullptr, false);
-    solver[option.substr(0, equals)] = parsed.is_primitive() && !parsed.is_discarded()
-      ? parsed
-      : nlohmann::ordered_json(value);
+    solver[option.substr(0, equals)] =
+      parsed.is_primitive() && !parsed.is_discarded() ? parsed : nlohmann::ordered_json(value);
   }
   nlohmann::ordered_json study;
   study["pemesh"] = 1;
@@ -184,7 +186,8 @@ void AddSolve(CLI::App& program, int& exitCode)
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: SOLVER-results)");
   AddWorkersOption(command, arguments->Workers);
-  command->add_option("--timeout", arguments->TimeLimit, "Seconds allowed for each mesh; 0: no limit")
+  command
+    ->add_option("--timeout", arguments->TimeLimit, "Seconds allowed for each mesh; 0: no limit")
     ->check(CLI::NonNegativeNumber);
   command->add_option("--option", arguments->Options, "Option of the solver: problem=linear")
     ->type_name("NAME=VALUE")

@@ -163,8 +163,8 @@ void AddTableCommands(CLI::App& program, int& exitCode)
   correlate
     ->add_option("--y", pairs->Y, "Columns, with commas (default: all metrics and performances)")
     ->delimiter(',');
-  correlate->add_flag("--independent", pairs->Independent,
-    "The meshes do not come from one family: give p-values");
+  correlate->add_flag(
+    "--independent", pairs->Independent, "The meshes do not come from one family: give p-values");
   correlate->callback([pairs, &exitCode] { exitCode = Correlate(*pairs); });
 
   auto figure = std::make_shared<PlotArguments>();
@@ -174,8 +174,10 @@ void AddTableCommands(CLI::App& program, int& exitCode)
   plot->add_option("--y", figure->Y, "Columns, with commas; a metric's name plots min, mean, max")
     ->delimiter(',')
     ->required();
-  plot->add_option("-o,--output", figure->Output, "Figure to write: .png, .svg or .pdf")->required();
-  plot->add_option("--log", figure->Log, "Logarithmic axes")->check(CLI::IsMember({ "x", "y", "xy" }));
+  plot->add_option("-o,--output", figure->Output, "Figure to write: .png, .svg or .pdf")
+    ->required();
+  plot->add_option("--log", figure->Log, "Logarithmic axes")
+    ->check(CLI::IsMember({ "x", "y", "xy" }));
   plot->add_option("--kind", figure->Kind, "Joined points or not")
     ->capture_default_str()
     ->check(CLI::IsMember({ "line", "scatter" }));

@@ -29,7 +29,8 @@ struct StudyCase
 /** Throws std::runtime_error when the study names no mesh. */
 std::vector<StudyCase> MakeStudyCases(const Study& study);
 
-/** Name of a generated mesh, as in "009_0.426316": index with at least three digits, value with six decimals. */
+/** Name of a generated mesh, as in "009_0.426316": index with at least three digits, value with six
+ * decimals. */
 std::string GeneratedMeshName(int index, int count, double t);
 
 } // namespace pemesh

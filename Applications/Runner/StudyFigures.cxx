@@ -67,8 +67,7 @@ vtkSmartPointer<vtkPEMChart> MakeChart(
   if (plot.Y.size() == 1)
   {
     const bool band = FindMetric(plot.Y.front()) != nullptr;
-    chart->SetYTitle(
-      labels.Title(plot.Y.front()) + (band ? ": mean and range" : ""));
+    chart->SetYTitle(labels.Title(plot.Y.front()) + (band ? ": mean and range" : ""));
     chart->ShowLegendOff();
   }
   else
@@ -208,8 +207,8 @@ void StudyFigures::AddOverview(
   const StudyPlot& plot, vtkPEMFigure* figure, vtkTable* results, const ColumnLabels& labels)
 {
   vtkPolyData* mesh = this->FindMesh(plot);
-  const StudyCase& shown = this->Cases[static_cast<std::size_t>(
-    CaseOfPlot(plot, static_cast<int>(this->Cases.size())))];
+  const StudyCase& shown =
+    this->Cases[static_cast<std::size_t>(CaseOfPlot(plot, static_cast<int>(this->Cases.size())))];
   const bool generated = mesh->GetCellData()->GetArray("ElementFamily") != nullptr;
   auto families = MakeView(mesh, generated ? "ElementFamily" : "", labels);
   families->SetColorTitle("");

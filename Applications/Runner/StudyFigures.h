@@ -49,8 +49,8 @@ public:
 private:
   void WriteOne(const StudyPlot& plot, const std::filesystem::path& file, vtkTable* results);
   /** Mesh, metric, solution and correlation on one page. */
-  void AddOverview(const StudyPlot& plot, vtkPEMFigure* figure, vtkTable* results,
-    const ColumnLabels& labels);
+  void AddOverview(
+    const StudyPlot& plot, vtkPEMFigure* figure, vtkTable* results, const ColumnLabels& labels);
   vtkPolyData* FindMesh(const StudyPlot& plot) const;
 
   const Study& TheStudy;

@@ -31,7 +31,8 @@ namespace pemesh
 namespace
 {
 
-/** The sentence in the text of a vtkErrorMacro: "ERROR: In …, line …\nvtkClass (0x…): sentence\n\n". */
+/** The sentence in the text of a vtkErrorMacro: "ERROR: In …, line …\nvtkClass (0x…):
+ * sentence\n\n". */
 std::string SentenceOfError(const char* text)
 {
   std::string sentence = text ? text : "";
@@ -111,8 +112,7 @@ public:
     : Stop(stop)
   {
     this->ErrorObserver->SetClientData(this);
-    this->ErrorObserver->SetCallback(
-      [](vtkObject*, unsigned long, void* self, void* text)
+    this->ErrorObserver->SetCallback([](vtkObject*, unsigned long, void* self, void* text)
       { static_cast<Internals*>(self)->KeepError(static_cast<const char*>(text)); });
     this->StopObserver->SetClientData(this);
     this->StopObserver->SetCallback(

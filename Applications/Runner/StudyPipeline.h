@@ -39,7 +39,8 @@ public:
     int Threads = 1;
   };
 
-  /** `solvers` holds the description of every run of the study. `stop` is read at every progress. */
+  /** `solvers` holds the description of every run of the study. `stop` is read at every progress.
+   */
   StudyPipeline(const Study& study, const std::vector<SolverDescription>& solvers,
     const Options& options, const std::atomic<bool>& stop);
   ~StudyPipeline();

@@ -40,8 +40,8 @@ protected:
   vtkPEMCaseLabel() = default;
   ~vtkPEMCaseLabel() override = default;
 
-  int RequestData(vtkInformation* request, vtkInformationVector** inputs,
-    vtkInformationVector* outputs) override;
+  int RequestData(
+    vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs) override;
 
 private:
   vtkPEMCaseLabel(const vtkPEMCaseLabel&) = delete;

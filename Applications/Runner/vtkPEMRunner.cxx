@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMRunner.h"
 
+#include "CaseStatus.h"
 #include "CsvTable.h"
 #include "MeshFormats.h"
 #include "SolverCommand.h"
@@ -25,9 +26,11 @@
 #include <thread>
 
 #include <vtkCommand.h>
+#include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 namespace fs = std::filesystem;
@@ -50,6 +53,25 @@ void CheckOutputFolder(const fs::path& folder)
     throw std::runtime_error("The output folder \"" + folder.string() +
       "\" holds something else than the results of a study; name another one with -o.");
   }
+}
+
+/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
+ */
+vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(mesh);
+  vtkFieldData* fields = copy->GetFieldData();
+  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(pemesh::MeasuredList)))
+  {
+    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
+    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
+    {
+      fields->RemoveArray(kept->GetValue(i).c_str());
+    }
+    fields->RemoveArray(pemesh::MeasuredList);
+  }
+  return copy;
 }
 
 } // namespace
@@ -162,6 +184,7 @@ void vtkPEMRunner::Internals::WriteMeshes(const pemesh::StudyCase& studyCase, vt
     return; // its status says why
   }
   const fs::path folder = this->MeshesOnly ? this->Output : this->Output / "meshes";
+  const vtkSmartPointer<vtkPolyData> saved = WithoutMeasured(mesh);
   for (const std::string& name : this->Study.Output.Formats)
   {
     const pemesh::MeshFormat* format = pemesh::FindMeshFormat(name);
@@ -169,7 +192,7 @@ void vtkPEMRunner::Internals::WriteMeshes(const pemesh::StudyCase& studyCase, vt
     {
       throw std::runtime_error("\"" + name + "\" is no mesh format.");
     }
-    format->Write(folder / (studyCase.Name + format->Extensions.front()), mesh);
+    format->Write(folder / (studyCase.Name + format->Extensions.front()), saved);
   }
 }
 
@@ -231,7 +254,8 @@ void vtkPEMRunner::Internals::WaitForWorkers(std::vector<std::thread>& workers)
   while (this->WorkersDone < workers.size())
   {
     this->Changed.wait(lock);
-    double fraction = static_cast<double>(this->CasesDone) / static_cast<double>(this->Cases.size());
+    double fraction =
+      static_cast<double>(this->CasesDone) / static_cast<double>(this->Cases.size());
     lock.unlock();
     this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
     lock.lock();
@@ -314,8 +338,8 @@ bool vtkPEMRunner::Run()
     run.LoadStudy();
     run.Results = std::make_unique<pemesh::StudyResults>(run.Study, run.Cases);
     run.Figures = std::make_unique<pemesh::StudyFigures>(run.Study, run.Solvers, run.Cases);
-    pemesh::WriteTextFile(run.Output / "study.json",
-      pemesh::FormatStudy(pemesh::MoveStudy(run.Study, run.Output)));
+    pemesh::WriteTextFile(
+      run.Output / "study.json", pemesh::FormatStudy(pemesh::MoveStudy(run.Study, run.Output)));
     run.RunCases();
     run.SaveResults();
   }

@@ -179,7 +179,8 @@ void AddOtherFieldColumns(vtkTable* table, vtkPolyData* mesh)
       continue;
     }
     const std::string name = array->GetName();
-    if (vtkDataArray::SafeDownCast(array) || EndsWith(name, "_Status"))
+    if (vtkDataArray::SafeDownCast(array) || EndsWith(name, "_Status") ||
+      EndsWith(name, "_StatusMessage"))
     {
       AddFieldColumn(table, mesh, name);
     }

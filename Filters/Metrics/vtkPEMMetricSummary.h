@@ -11,7 +11,7 @@
  *   for each metric <Name>_min, <Name>_max, <Name>_mean over the elements where it is finite, NaN
  *   where there are none, and <Name>_min_element, <Name>_max_element, the smallest id of an
  *   element that attains it, -1 where there are none;
- *   every other field array of one number, and the texts named *_Status, in their order;
+ *   every other field array of one number, and the texts named *_Status and *_StatusMessage;
  *   Status ("ok" or a word) and StatusMessage [text].
  *   Field data: the lists "Parameters" and "Measured" of the mesh.
  * A failed mesh, or one that was never measured, has the same columns, with NaN.

@@ -46,6 +46,11 @@ struct BadMesh
   const char* Says;
 };
 
+void PrintTo(const BadMesh& bad, std::ostream* stream)
+{
+  *stream << bad.Name; // not its bytes, which are in the name of the test and change
+}
+
 class BadMeshFile : public testing::TestWithParam<BadMesh>
 {
 };
@@ -150,6 +155,11 @@ struct BadSolver
   const char* Says;
 };
 
+void PrintTo(const BadSolver& bad, std::ostream* stream)
+{
+  *stream << bad.Name;
+}
+
 class FailingSolver : public testing::TestWithParam<BadSolver>
 {
 };
@@ -163,8 +173,7 @@ TEST_P(FailingSolver, IsTheStatusOfItsRunAndTheMetricsAreSaved)
   WriteFile(folder / "a.off", SquareMesh);
   WriteFile(folder / "solver.sh", "#!/bin/sh\n" + bad.Script);
   fs::permissions(folder / "solver.sh", fs::perms::owner_all);
-  const std::string command =
-    bad.Script.empty() ? "./no-such-program" : "./solver.sh";
+  const std::string command = bad.Script.empty() ? "./no-such-program" : "./solver.sh";
   WriteFile(folder / "solver.json",
     R"({"name": "fake", "command": [")" + command +
       R"(", "{mesh}", "{output}", "{stem}"], "mesh-format": "off", "time-limit": 1,
@@ -178,16 +187,17 @@ TEST_P(FailingSolver, IsTheStatusOfItsRunAndTheMetricsAreSaved)
   const auto results = pemesh::ReadCsvFile(folder / "out" / "results.csv");
   ASSERT_EQ(results->GetNumberOfRows(), 1);
   EXPECT_EQ(results->GetValueByName(0, "Area_min").ToDouble(), 1.0);
-  EXPECT_EQ(results->GetValueByName(0, "fake_Status").ToString(), bad.Status);
-  EXPECT_TRUE(std::isnan(results->GetValueByName(0, "fake_error").ToDouble()));
+  EXPECT_EQ(results->GetValueByName(0, "solver_Status").ToString(), bad.Status);
+  EXPECT_TRUE(std::isnan(results->GetValueByName(0, "solver_error").ToDouble()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Solvers, FailingSolver,
   testing::Values(BadSolver{ "missing", "", "not-found", "no-such-program" },
     BadSolver{ "fails", "echo 'matrix is singular' >&2; exit 3\n", "exit-status", "singular" },
-    BadSolver{ "hangs", "sleep 60\n", "time-out", "second" },
-    BadSolver{ "short", "printf '1\\n2\\n' > \"$2/$3-solution.txt\"; echo 1 > \"$2/$3-error.txt\"\n",
-      "bad-output", "2" }),
+    BadSolver{ "hangs", "sleep 60\n", "time-out", "time limit of 1 s" },
+    BadSolver{ "short",
+      "printf '1\\n2\\n' > \"$2/$3-solution.txt\"; echo 1 > \"$2/$3-error.txt\"\n", "bad-output",
+      "2" }),
   [](const auto& parameter) { return std::string(parameter.param.Name); });
 
 TEST(BadSolverName, IsRefusedBeforeAnythingRuns)

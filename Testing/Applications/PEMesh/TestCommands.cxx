@@ -111,8 +111,7 @@ TEST(Commands, MetricsToStandardOutputOfChosenOnes)
 TEST(Commands, GenerateMakesMeshesOnly)
 {
   const fs::path folder = FreshFolder("generate");
-  std::ofstream(folder / "s.json")
-    << R"({"pemesh": 1, "polygons": [{"family": "maze"}],
+  std::ofstream(folder / "s.json") << R"({"pemesh": 1, "polygons": [{"family": "maze"}],
            "sweep": [{"parameter": "t", "from": 0, "to": 0.5, "count": 2}]})";
   const auto run = RunProgram(
     "pemesh", { "generate", folder / "s.json", "-o", folder / "out", "--format", "off,obj" });
@@ -145,8 +144,8 @@ TEST(Commands, SolveThenCorrelateThenPlot)
   EXPECT_GT(error->GetComponent(0, 0), error->GetComponent(1, 0));
   EXPECT_GT(error->GetComponent(1, 0), error->GetComponent(2, 0));
 
-  const auto correlated = RunProgram("pemesh",
-    { "correlate", results, "--x", "MeshSize", "--y", "pemesh-vem_relative-error-l2" });
+  const auto correlated = RunProgram(
+    "pemesh", { "correlate", results, "--x", "MeshSize", "--y", "pemesh-vem_relative-error-l2" });
   ASSERT_EQ(correlated.ExitCode, 0) << correlated.Errors;
   EXPECT_THAT(correlated.Output, HasSubstr("MeshSize,pemesh-vem_relative-error-l2,3,"));
   EXPECT_THAT(correlated.Output, HasSubstr("increasing"));

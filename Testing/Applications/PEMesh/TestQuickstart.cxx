@@ -59,7 +59,7 @@ TEST(Quickstart, LeavesTheWholeFolderAndTheSameBytesWithAnyNumberOfWorkers)
   for (const char* file : { "results.csv", "correlation.csv", "index.csv", "series.pvd" })
   {
     EXPECT_FALSE(FileText(folder / "one" / file).empty()) << file;
-    EXPECT_EQ(FileText(folder / "one" / file), FileText(folder / "three" / file)) << file;
+    EXPECT_TRUE(FileText(folder / "one" / file) == FileText(folder / "three" / file)) << file;
   }
   EXPECT_FALSE(fs::exists(folder / "one" / "failures.csv"));
   EXPECT_EQ(CountFiles(folder / "one" / "meshes", ".vtp"), 20);
@@ -67,9 +67,8 @@ TEST(Quickstart, LeavesTheWholeFolderAndTheSameBytesWithAnyNumberOfWorkers)
   // Meshes too are the same to the byte.
   for (const auto& entry : fs::directory_iterator(folder / "one" / "meshes"))
   {
-    EXPECT_EQ(FileText(entry.path()),
-      FileText(folder / "three" / "meshes" / entry.path().filename()))
-      << entry.path();
+    const fs::path other = folder / "three" / "meshes" / entry.path().filename();
+    EXPECT_TRUE(FileText(entry.path()) == FileText(other)) << entry.path();
   }
 
   const auto results = pemesh::ReadCsvFile(folder / "one" / "results.csv");

@@ -82,8 +82,8 @@ TEST(vtkPEMMetricSummary, OneRowWithItsColumnsInOrder)
   const std::vector<std::string> expected = { "Mesh", "t", "Elements", "Vertices", "MeshSize",
     "NumberOfEdges_min", "NumberOfEdges_max", "NumberOfEdges_mean", "NumberOfEdges_min_element",
     "NumberOfEdges_max_element", "Area_min", "Area_max", "Area_mean", "Area_min_element",
-    "Area_max_element", "AttainedMinimumAngle", "vem_condition-number", "vem_Status", "Status",
-    "StatusMessage" };
+    "Area_max_element", "AttainedMinimumAngle", "vem_condition-number", "vem_Status",
+    "vem_StatusMessage", "Status", "StatusMessage" };
   EXPECT_EQ(ColumnNames(table), expected);
   EXPECT_EQ(Text(table, "Mesh"), "000_0.5");
   EXPECT_EQ(Number(table, "t"), 0.5);
