@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace pemesh
 {
@@ -79,7 +80,19 @@ Step ChooseStep(double low, double high, int maximum)
   }
 }
 
-/** Labels at 2 and 5, or at all multiples of the powers, where there are hardly any powers. */
+/**
+ * Which multiples of a power of ten get a label, from many to few, and the widest axis (in decades)
+ * on which so many may: nine a decade crowd together at its end.
+ */
+struct LabelledMultiples
+{
+  std::string_view Digits;
+  double WidestAxis;
+};
+constexpr LabelledMultiples MultipleTiers[] = { { "123456789", 0.7 }, { "12357", 1.0 },
+  { "125", 1e300 } };
+
+/** Labels at multiples of the powers, where there are hardly any powers. */
 AxisTicks MakeMultipleTicks(double low, double high, int maximum)
 {
   AxisTicks result;
@@ -88,7 +101,7 @@ AxisTicks MakeMultipleTicks(double low, double high, int maximum)
   constexpr double tolerance = 1e-9;
   const bool plain = low > -3.0 - tolerance && high < 4.0;
   int labelled = 0;
-  for (const bool all : { true, false })
+  for (const LabelledMultiples& tier : MultipleTiers)
   {
     result.Ticks.clear();
     labelled = 0;
@@ -102,7 +115,7 @@ AxisTicks MakeMultipleTicks(double low, double high, int maximum)
         {
           continue;
         }
-        tick.Major = all || multiple == 1 || multiple == 2 || multiple == 5;
+        tick.Major = tier.Digits.find(static_cast<char>('0' + multiple)) != std::string_view::npos;
         if (tick.Major)
         {
           const std::string times = multiple == 1 ? "" : std::to_string(multiple) + Times;
@@ -113,8 +126,7 @@ AxisTicks MakeMultipleTicks(double low, double high, int maximum)
         result.Ticks.push_back(tick);
       }
     }
-    // Nine labels a decade crowd together at its end: only where a part of one is seen.
-    if (!all || (labelled <= maximum && high - low < 0.7))
+    if (labelled <= maximum && high - low < tier.WidestAxis)
     {
       break;
     }

@@ -73,8 +73,11 @@ TEST(AxisTicks, ManyPowersAreThinnedOut)
 
 TEST(AxisTicks, ShortLogarithmicRangesHaveLabelsToo)
 {
-  EXPECT_THAT(
-    Labels(pemesh::MakeLogTicks(std::log10(0.9), std::log10(7.0), 8)), ElementsAre("1", "2", "5"));
+  EXPECT_THAT(Labels(pemesh::MakeLogTicks(std::log10(0.9), std::log10(7.0), 8)),
+    ElementsAre("1", "2", "3", "5", "7"));
+  EXPECT_THAT(Labels(pemesh::MakeLogTicks(std::log10(0.0225), std::log10(0.084), 5)),
+    ElementsAre("0.03", "0.05", "0.07"))
+    << "spread over the axis, not only at its end";
   EXPECT_GE(Labels(pemesh::MakeLogTicks(std::log10(1.02), std::log10(1.19), 8)).size(), 2u);
   EXPECT_GE(Labels(pemesh::MakeLogTicks(-7.0001, -6.9999, 8)).size(), 2u);
 }
