@@ -54,9 +54,18 @@ int CellNumber(vtkPolyData* input, const char* name, vtkIdType cell, int otherwi
   return array ? static_cast<int>(array->GetTuple1(cell)) : otherwise;
 }
 
-Layout ReadLayout(vtkPolyData* input)
+/** Empty if all is well, else one sentence on what cannot be meshed. */
+std::string ReadLayout(vtkPolyData* input, Layout& layout)
 {
-  Layout layout;
+  if (input->GetNumberOfCells() == 0)
+  {
+    return {};
+  }
+  const std::string unusable = pemesh::ElementAccess::WhyUnusable(input);
+  if (!unusable.empty())
+  {
+    return "The layout cannot be used: " + unusable + ".";
+  }
   auto* names =
     vtkStringArray::SafeDownCast(input->GetCellData()->GetAbstractArray(PolygonNameArray));
   pemesh::ElementAccess access(input);
@@ -70,7 +79,7 @@ Layout ReadLayout(vtkPolyData* input)
     layout.Ids.push_back(CellNumber(input, PolygonIdArray, cell, static_cast<int>(cell)));
     layout.Families.push_back(CellNumber(input, ElementFamilyArray, cell, Filler));
   }
-  return layout;
+  return pemesh::FindLayoutFault(layout.Polygons, pemesh::GetFieldNumber(input, "t"));
 }
 
 /** The polygons, turned round where they are clockwise (their first vertex stays the first). */
@@ -193,22 +202,13 @@ int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   output->GetFieldData()->PassData(input->GetFieldData());
-  const std::string unusable =
-    input->GetNumberOfCells() > 0 ? pemesh::ElementAccess::WhyUnusable(input) : std::string();
-  if (!unusable.empty())
-  {
-    pemesh::SetCaseFailed(output, "invalid-layout", "The layout cannot be used: " + unusable + ".");
-    return 1;
-  }
-  const Layout layout = ReadLayout(input);
-  const std::string fault =
-    pemesh::FindLayoutFault(layout.Polygons, pemesh::GetFieldNumber(input, "t"));
+  Layout layout;
+  const std::string fault = ReadLayout(input, layout);
   if (!fault.empty())
   {
     pemesh::SetCaseFailed(output, "invalid-layout", fault);
     return 1;
   }
-
   const std::vector<std::vector<pemesh::Point2>> polygons = CounterClockwisePolygons(layout);
   pemesh::DomainMeshOptions options;
   options.MinimumAngle = this->MinimumAngle;

@@ -122,8 +122,8 @@ FieldTable<StudyMesh> MeshFields()
   FieldTable<StudyMesh> table;
   table.Fields = { ObjectField("max-area", &StudyMesh::MaximumArea, MaximumAreaFields(),
                      "Bound on the area of the triangles."),
-    NumberField("min-angle", &StudyMesh::MinimumAngle, { 0.0, 34.0 },
-      "Degrees; above 34 refinement may never end."),
+    NumberField("min-angle", &StudyMesh::MinimumAngle, { 0.0, 33.0 },
+      "Degrees; above 33 refinement may never end."),
     BooleanField("preserve-polygons", &StudyMesh::PreservePolygons,
       "Whether the edges of the polygons may not be split.") };
   return table;

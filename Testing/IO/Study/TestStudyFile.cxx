@@ -277,7 +277,7 @@ TEST(StudyFile, EveryKeyIsExplained)
   const std::string text = pemesh::DescribeStudyKeys();
   for (const char* line :
     { "\npolygons[].teeth: integer between 1 and 100000", "\npolygons[].spikes",
-      "\nmesh.min-angle: number between 0 and 34, default 20.",
+      "\nmesh.min-angle: number between 0 and 33, default 20.",
       "\nmesh.max-area.rule: one of none, shortest-edge, diagonal, constant, default \"diagonal\"",
       "\nsweep[].count: integer between 1 and 10000000, default 20.",
       "\nplots[].log: ", "\nsolvers[].solver: text, required.", "\noutput.formats: " })

@@ -105,7 +105,7 @@ TEST(StudyMessages, OfTheMesh)
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"min-angel": 20})")),
     "\"s.json\": mesh.min-angel is not a key; did you mean min-angle?");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"min-angle": 34.5})")),
-    "\"s.json\": mesh.min-angle is 34.5; it must be between 0 and 34.");
+    "\"s.json\": mesh.min-angle is 34.5; it must be between 0 and 33.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"max-area": {"rule": "constant"}})")),
     "\"s.json\": mesh.max-area.value is missing (number greater than 0).");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"max-area": {"value": 1}})")),
