@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CairoCanvas.h"
 
+#include "XmlText.h"
+
 #include "NumberText.h"
 
 #include <cairo-pdf.h>
@@ -73,33 +75,6 @@ std::vector<std::string> SplitLines(const std::string& text)
   }
   lines.push_back(text.substr(start));
   return lines;
-}
-
-std::string EscapeXml(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        // Control characters are not allowed in XML at all.
-        escaped += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-    }
-  }
-  return escaped;
 }
 
 std::string Rounded(double value)

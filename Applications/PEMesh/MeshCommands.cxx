@@ -8,7 +8,7 @@
 #include "Commands.h"
 #include "CsvTable.h"
 #include "MetricRegistry.h"
-#include "PolygonFamilies.h"
+#include "ResultPanels.h"
 #include "TableRows.h"
 #include "Terminal.h"
 #include "vtkPEMFigure.h"
@@ -162,13 +162,9 @@ int Render(const RenderArguments& arguments)
     metrics->Update();
     mesh = metrics->GetOutput();
   }
-  vtkNew<vtkPEMMeshView> view;
-  view->SetMesh(mesh);
-  view->SetColorArray(arguments.ColorBy);
-  view->SetColorTitle(ColumnLabels().Title(arguments.ColorBy));
+  const auto view = MakeMeshView(mesh, arguments.ColorBy, ColumnLabels());
   view->SetHighlightByName(arguments.Highlight);
   view->SetLogColor(arguments.Log);
-  view->SetDiverging(arguments.ColorBy.ends_with("Error"));
   view->SetTitle(arguments.Title);
   if (const std::string reason = view->WhyNotDrawable(); !reason.empty())
   {

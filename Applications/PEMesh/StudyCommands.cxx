@@ -55,6 +55,11 @@ void StopActiveRunner(int)
   }
 }
 
+std::string Counted(int count, const char* one, const char* many)
+{
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 /** Runs, tells what went wrong and where the results are. */
 int RunToEnd(vtkPEMRunner* runner, const std::string& label)
 {
@@ -77,8 +82,9 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
   {
     return WrongUsage;
   }
-  std::cout << runner->GetNumberOfCases() << " meshes, " << runner->GetNumberOfFailures()
-            << " failures. Results: " << runner->GetOutputDirectory() << "\n";
+  std::cout << Counted(runner->GetNumberOfCases(), "mesh", "meshes") << ", "
+            << Counted(runner->GetNumberOfFailures(), "failure", "failures")
+            << ". Results: " << runner->GetOutputDirectory() << "\n";
   for (const std::string& file : runner->GetFigureFiles())
   {
     std::cout << "  " << file << "\n";

@@ -6,8 +6,9 @@
 #include "ColumnLabels.h"
 #include "Commands.h"
 #include "CsvTable.h"
-#include "MetricRegistry.h"
 #include "NumberText.h"
+#include "ResultPanels.h"
+#include "Study.h"
 #include "Terminal.h"
 #include "vtkPEMChart.h"
 #include "vtkPEMCorrelation.h"
@@ -95,44 +96,17 @@ int Correlate(const CorrelateArguments& arguments)
   return AllDone;
 }
 
-void AddOrdinate(vtkPEMChart* chart, const std::string& name, const ColumnLabels& labels)
-{
-  // A metric by its own name stands for its smallest, mean and largest value.
-  if (FindMetric(name) && !chart->GetTable()->GetColumnByName(name.c_str()))
-  {
-    chart->AddBand(name + "_min", name + "_max", name + "_mean", labels.Title(name));
-  }
-  else
-  {
-    chart->AddYColumn(name, labels.Title(name));
-  }
-}
-
 int Plot(const PlotArguments& arguments)
 {
   const vtkSmartPointer<vtkTable> table = ReadCsvFile(arguments.Table);
-  const ColumnLabels labels;
-  vtkNew<vtkPEMChart> chart;
-  chart->SetTable(table);
-  chart->SetKindByName(arguments.Kind);
-  chart->SetXColumn(arguments.X);
-  chart->SetXTitle(labels.Title(arguments.X));
-  for (const std::string& name : arguments.Y)
-  {
-    AddOrdinate(chart, name, labels);
-  }
-  if (arguments.Y.size() == 1)
-  {
-    chart->SetYTitle(labels.Title(arguments.Y.front()));
-    chart->ShowLegendOff();
-  }
-  chart->SetLogAxes(arguments.Log);
-  if (!arguments.ColorBy.empty())
-  {
-    chart->SetColorColumn(arguments.ColorBy);
-    chart->SetColorTitle(labels.Title(arguments.ColorBy));
-  }
-  chart->SetTitle(arguments.Title);
+  StudyPlot plot;
+  plot.Kind = arguments.Kind;
+  plot.X = arguments.X;
+  plot.Y = arguments.Y;
+  plot.Log = arguments.Log;
+  plot.ColorBy = arguments.ColorBy;
+  plot.Title = arguments.Title;
+  const auto chart = MakeResultChart(plot, table, ColumnLabels());
   if (const std::string reason = chart->WhyNotDrawable(); !reason.empty())
   {
     throw std::runtime_error(reason);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Terminal.h"
 
+#include "ErrorText.h"
+
 #include <algorithm>
 #include <iostream>
 
@@ -20,26 +22,13 @@ namespace pemesh
 namespace
 {
 
-/** Keeps the sentence of "ERROR: In file, line n\nvtkClass (address): sentence". */
-std::string SentenceOf(const char* text)
-{
-  std::string sentence = text ? text : "";
-  if (const std::size_t start = sentence.find("): "); start != std::string::npos)
-  {
-    sentence.erase(0, start + 3);
-  }
-  sentence.erase(sentence.find_last_not_of(" \n") + 1);
-  std::replace(sentence.begin(), sentence.end(), '\n', ' ');
-  return sentence;
-}
-
 class MessageHandler : public vtkOutputWindow
 {
 public:
   static MessageHandler* New();
   vtkTypeMacro(MessageHandler, vtkOutputWindow);
 
-  void DisplayText(const char* text) override { Complain(SentenceOf(text)); }
+  void DisplayText(const char* text) override { Complain(SentenceOfError(text)); }
 };
 
 vtkStandardNewMacro(MessageHandler);

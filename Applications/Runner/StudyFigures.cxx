@@ -3,8 +3,7 @@
 #include "StudyFigures.h"
 
 #include "ColumnLabels.h"
-#include "MetricRegistry.h"
-#include "PolygonFamilies.h"
+#include "ResultPanels.h"
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
@@ -36,72 +35,6 @@ int CaseOfPlot(const StudyPlot& plot, int count)
 {
   const int index = plot.Case < 0 ? count + plot.Case : plot.Case;
   return index >= 0 && index < count ? index : -1;
-}
-
-void AddOrdinates(
-  vtkPEMChart* chart, const std::vector<std::string>& names, const ColumnLabels& labels)
-{
-  for (const std::string& name : names)
-  {
-    // A metric by its own name stands for its smallest, mean and largest value.
-    if (FindMetric(name))
-    {
-      chart->AddBand(name + "_min", name + "_max", name + "_mean", labels.Title(name));
-    }
-    else
-    {
-      chart->AddYColumn(name, labels.Title(name));
-    }
-  }
-}
-
-vtkSmartPointer<vtkPEMChart> MakeChart(
-  const StudyPlot& plot, vtkTable* results, const ColumnLabels& labels)
-{
-  auto chart = vtkSmartPointer<vtkPEMChart>::New();
-  chart->SetTable(results);
-  chart->SetKindByName(plot.Kind == "line" ? "line" : "scatter");
-  chart->SetXColumn(plot.X);
-  chart->SetXTitle(labels.Title(plot.X));
-  AddOrdinates(chart, plot.Y, labels);
-  if (plot.Y.size() == 1)
-  {
-    const bool band = FindMetric(plot.Y.front()) != nullptr;
-    chart->SetYTitle(labels.Title(plot.Y.front()) + (band ? ": mean and range" : ""));
-    chart->ShowLegendOff();
-  }
-  else
-  {
-    chart->SetYTitle(" "); // the legend says it
-  }
-  chart->SetLogAxes(plot.Log);
-  if (!plot.ColorBy.empty())
-  {
-    chart->SetColorColumn(plot.ColorBy);
-    chart->SetColorTitle(labels.Title(plot.ColorBy));
-  }
-  chart->SetTitle(plot.Title);
-  return chart;
-}
-
-vtkSmartPointer<vtkPEMMeshView> MakeView(
-  vtkPolyData* mesh, const std::string& array, const ColumnLabels& labels)
-{
-  auto view = vtkSmartPointer<vtkPEMMeshView>::New();
-  view->SetMesh(mesh);
-  view->SetColorArray(array);
-  view->SetColorTitle(labels.Title(array));
-  view->SetDiverging(array.ends_with("_Error") || array == "Error");
-  if (array == "ElementFamily")
-  {
-    std::vector<std::string> names;
-    for (const PolygonFamily& family : PolygonFamilies())
-    {
-      names.emplace_back(family.Label);
-    }
-    view->SetClassLabels(names);
-  }
-  return view;
 }
 
 } // namespace
@@ -175,7 +108,7 @@ void StudyFigures::WriteOne(
   vtkNew<vtkPEMFigure> figure;
   if (plot.Kind == "mesh")
   {
-    auto view = MakeView(this->FindMesh(plot), plot.ColorBy, labels);
+    auto view = MakeMeshView(this->FindMesh(plot), plot.ColorBy, labels);
     view->SetHighlightByName(plot.Highlight);
     view->SetLogColor(!plot.Log.empty());
     view->SetTitle(plot.Title);
@@ -187,7 +120,7 @@ void StudyFigures::WriteOne(
   }
   else
   {
-    figure->AddPanel(MakeChart(plot, results, labels));
+    figure->AddPanel(MakeResultChart(plot, results, labels));
   }
   for (int i = 0; i < figure->GetNumberOfPanels(); ++i)
   {
@@ -210,20 +143,20 @@ void StudyFigures::AddOverview(
   const StudyCase& shown =
     this->Cases[static_cast<std::size_t>(CaseOfPlot(plot, static_cast<int>(this->Cases.size())))];
   const bool generated = mesh->GetCellData()->GetArray("ElementFamily") != nullptr;
-  auto families = MakeView(mesh, generated ? "ElementFamily" : "", labels);
+  auto families = MakeMeshView(mesh, generated ? "ElementFamily" : "", labels);
   families->SetColorTitle("");
   families->SetTitle("Mesh " + shown.Name);
   figure->AddPanel(families);
 
   const std::string metric = plot.ColorBy.empty() ? "MinAngle" : plot.ColorBy;
-  auto geometry = MakeView(mesh, metric, labels);
+  auto geometry = MakeMeshView(mesh, metric, labels);
   geometry->SetHighlightByName("both");
   geometry->SetTitle("Geometry");
   figure->AddPanel(geometry);
 
   if (!this->TheStudy.Solvers.empty())
   {
-    auto solution = MakeView(mesh, this->TheStudy.Solvers.front().Name + "_Solution", labels);
+    auto solution = MakeMeshView(mesh, this->TheStudy.Solvers.front().Name + "_Solution", labels);
     solution->SetTitle("Solution");
     figure->AddPanel(solution);
   }
@@ -231,7 +164,7 @@ void StudyFigures::AddOverview(
   scatter.Kind = "scatter";
   scatter.ColorBy = HasMeshFiles(this->TheStudy) ? "Index" : "t";
   scatter.Title = "Correlation";
-  figure->AddPanel(MakeChart(scatter, results, labels));
+  figure->AddPanel(MakeResultChart(scatter, results, labels));
   figure->SetTitle(plot.Title);
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyPipeline.h"
 
+#include "ErrorText.h"
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
@@ -30,19 +31,6 @@ namespace pemesh
 
 namespace
 {
-
-/** The sentence in the text of a vtkErrorMacro: "ERROR: In …, line …\nvtkClass (0x…):
- * sentence\n\n". */
-std::string SentenceOfError(const char* text)
-{
-  std::string sentence = text ? text : "";
-  if (const std::size_t start = sentence.find("): "); start != std::string::npos)
-  {
-    sentence.erase(0, start + 3);
-  }
-  sentence.erase(sentence.find_last_not_of(" \n") + 1);
-  return sentence;
-}
 
 vtkSmartPointer<vtkAlgorithm> MakeLayout(const Study& study)
 {

@@ -9,6 +9,7 @@
 #include "StudyCases.h"
 #include "TableRows.h"
 #include "TextFile.h"
+#include "XmlText.h"
 
 #include <algorithm>
 
@@ -38,29 +39,6 @@ Array* AddColumn(vtkTable* table, const char* name)
   column->SetName(name);
   table->AddColumn(column);
   return column;
-}
-
-std::string EscapeXml(const std::string& text)
-{
-  std::string escaped;
-  for (const char c : text)
-  {
-    switch (c)
-    {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
 }
 
 /** Sentences name files of this machine: they go to failures.csv, never into the results. */
