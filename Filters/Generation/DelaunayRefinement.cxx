@@ -33,6 +33,12 @@ struct Shape
   bool TooFlat;
 };
 
+Point2 Centroid(const Shape& shape)
+{
+  return { (shape.From.x + shape.To.x + shape.Apex.x) / 3.0,
+    (shape.From.y + shape.To.y + shape.Apex.y) / 3.0 };
+}
+
 struct BadTriangle
 {
   double Badness;
@@ -46,6 +52,27 @@ struct BadTriangle
       (this->Badness == other.Badness && this->Order > other.Order);
   }
 };
+
+/** A preserved segment that is long for the area bound, which is graded towards it. */
+struct LongSegment
+{
+  Point2 From;
+  Point2 To;
+  double Length;
+};
+
+/** Side of the equilateral triangle of this area. */
+double SideOfArea(double area)
+{
+  return 2.0 * std::sqrt(area / std::numbers::sqrt3);
+}
+
+double DistanceToSegment(const Point2& point, const Point2& from, const Point2& to)
+{
+  const Point2 along = to - from;
+  const double place = std::clamp(Dot(point - from, along) / Dot(along, along), 0.0, 1.0);
+  return std::sqrt(SquaredDistance(point, { from.x + place * along.x, from.y + place * along.y }));
+}
 
 enum class Attempt
 {
@@ -72,6 +99,8 @@ public:
   RefinementOutcome Run();
 
 private:
+  void FindLongSegments();
+  double AreaBound(const Point2& point) const;
   Shape Measure(int triangle) const;
   void Judge(int triangle);
   void LookAtStar();
@@ -80,7 +109,6 @@ private:
   bool IsNearPreserved(const Point2& point, const Point2& a, const Point2& b) const;
   Attempt TryPoint(int triangle, const Point2& point, Purpose purpose, double squaredSpacing,
     double squaredShortest);
-  Point2 PointInside(int triangle, double area) const;
   Attempt RefineLarge(int triangle, const Shape& shape);
   Attempt RefineFlat(int triangle, const Shape& shape);
   bool Continue();
@@ -91,6 +119,7 @@ private:
   double SquaredSine;   ///< of the minimum angle
   double CotangentHalf; ///< of half of it
   double CosineTwice;   ///< of twice of it
+  std::vector<LongSegment> LongSegments;
   std::priority_queue<BadTriangle> Bad;
   std::uint64_t NextOrder = 0;
   std::uint64_t Steps = 0;
@@ -109,6 +138,46 @@ Refinement::Refinement(
   this->SquaredSine = std::sin(angle) * std::sin(angle) * (1.0 + 1e-10);
   this->CotangentHalf = 1.0 / std::tan(0.5 * angle);
   this->CosineTwice = std::cos(2.0 * angle);
+  this->FindLongSegments();
+}
+
+void Refinement::FindLongSegments()
+{
+  const double side = SideOfArea(this->Options.MaximumArea);
+  for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
+  {
+    const RefinableTriangulation::Segment& piece = this->Mesh.GetSegment(segment);
+    if (!this->Options.Preserved[piece.Input])
+    {
+      continue;
+    }
+    const int* vertex = this->Mesh.GetTriangle(piece.Triangle).Vertex;
+    const int edge = this->Mesh.EdgeOfSegment(segment);
+    const Point2& from = this->Mesh.GetPoint(vertex[(edge + 1) % 3]);
+    const Point2& to = this->Mesh.GetPoint(vertex[(edge + 2) % 3]);
+    const double length = std::sqrt(SquaredDistance(from, to));
+    if (length > side)
+    {
+      this->LongSegments.push_back({ from, to, length });
+    }
+  }
+}
+
+/**
+ * The area bound at a point. An edge that must keep its length L has a round triangle only if that
+ * is about as large as L; so the side of triangles falls from L at the edge by as much as the
+ * distance to it grows, until it is that of the bound. Without this the bound would force flat
+ * triangles, layer upon layer. (A size field of slope 1, as in Shewchuk 2002, is what refinement
+ * still meshes well.)
+ */
+double Refinement::AreaBound(const Point2& point) const
+{
+  double side = 0.0;
+  for (const LongSegment& segment : this->LongSegments)
+  {
+    side = std::max(side, segment.Length - DistanceToSegment(point, segment.From, segment.To));
+  }
+  return std::max(this->Options.MaximumArea, 0.25 * std::numbers::sqrt3 * side * side);
 }
 
 Shape Refinement::Measure(int triangle) const
@@ -131,6 +200,10 @@ Shape Refinement::Measure(int triangle) const
   const double sides = squared[(edge + 1) % 3] * squared[(edge + 2) % 3];
   shape.TooFlat = 4.0 * shape.Area * shape.Area < this->SquaredSine * sides;
   shape.TooLarge = shape.Area > this->Options.MaximumArea * (1.0 - 1e-12);
+  if (shape.TooLarge && !this->LongSegments.empty())
+  {
+    shape.TooLarge = shape.Area > this->AreaBound(Centroid(shape)) * (1.0 - 1e-12);
+  }
   return shape;
 }
 
@@ -271,46 +344,11 @@ Attempt Refinement::RefineLarge(int triangle, const Shape& shape)
 {
   const Point2 center = AboveEdge(shape, this->CenterHeight(shape));
   const Attempt attempt = this->TryPoint(triangle, center, Purpose::Area, 0.0, 0.0);
-  if (attempt != Attempt::Refused)
+  if (attempt != Attempt::Refused || !this->LongSegments.empty())
   {
     return attempt;
   }
-  return this->TryPoint(
-    triangle, this->PointInside(triangle, shape.Area), Purpose::AreaInside, 0.0, 0.0);
-}
-
-/**
- * A point of a triangle that is too large. On a preserved edge, which keeps its length, the part
- * below the point gets the largest area allowed, so the angles there stay as large as they can.
- */
-Point2 Refinement::PointInside(int triangle, double area) const
-{
-  const RefinableTriangulation::Triangle& corners = this->Mesh.GetTriangle(triangle);
-  Point2 best;
-  double longest = 0.0;
-  for (int edge = 0; edge < 3; ++edge)
-  {
-    const int neighbor = corners.Neighbor[edge];
-    const Point2& apex = this->Mesh.GetPoint(corners.Vertex[edge]);
-    const Point2& from = this->Mesh.GetPoint(corners.Vertex[(edge + 1) % 3]);
-    const Point2& to = this->Mesh.GetPoint(corners.Vertex[(edge + 2) % 3]);
-    if (neighbor < 0 && !this->Splitter.CanSplit(~neighbor) && SquaredDistance(from, to) > longest)
-    {
-      longest = SquaredDistance(from, to);
-      const double fraction = std::min(0.5, 0.95 * this->Options.MaximumArea / area);
-      const Point2 middle = { 0.5 * (from.x + to.x), 0.5 * (from.y + to.y) };
-      best = { middle.x + fraction * (apex.x - middle.x),
-        middle.y + fraction * (apex.y - middle.y) };
-    }
-  }
-  if (longest > 0.0)
-  {
-    return best;
-  }
-  const Point2& a = this->Mesh.GetPoint(corners.Vertex[0]);
-  const Point2& b = this->Mesh.GetPoint(corners.Vertex[1]);
-  const Point2& c = this->Mesh.GetPoint(corners.Vertex[2]);
-  return { (a.x + b.x + c.x) / 3.0, (a.y + b.y + c.y) / 3.0 };
+  return this->TryPoint(triangle, Centroid(shape), Purpose::AreaInside, 0.0, 0.0);
 }
 
 Attempt Refinement::RefineFlat(int triangle, const Shape& shape)

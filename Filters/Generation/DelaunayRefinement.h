@@ -21,7 +21,9 @@
  * 180 degrees minus twice the bound, for the triangle of the two would be flat as well; nearer
  * points are tried then, which must not shorten the shortest edge of the triangle. The second
  * reason counts only for triangles that touch a preserved segment anyway. If no point will do, the
- * triangle stays. A triangle that is too large is always split, at a point inside it if need be.
+ * triangle stays. A triangle that is too large is split, at a point inside it if need be; near
+ * preserved segments longer than the side of an equilateral triangle of that area the bound is
+ * graded up to their length, because it would force flat triangles there.
  */
 #ifndef pemesh_DelaunayRefinement_h
 #define pemesh_DelaunayRefinement_h
