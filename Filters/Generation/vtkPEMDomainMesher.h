@@ -26,8 +26,8 @@
  * triangles that touch them, or lie where a long preserved edge leaves too little room, may keep
  * smaller angles. The area bound always holds, but near a preserved edge that is longer than the
  * side of an equilateral triangle of that area: there the side allowed is the length of the edge
- * less the distance to it, because smaller triangles would be flat, layer upon layer; a triangle
- * that touches such a polygon may be larger still if no point would improve it.
+ * less 1.5 times the distance to it, because smaller triangles would be flat, layer upon layer; a
+ * triangle that touches such a polygon may be larger still if no point would improve it.
  *
  * Failures of one case (see CaseStatus.h): "invalid-layout" if polygons cross themselves, overlap,
  * touch, or leave or touch the border of the square (the message names them and t; nothing is
