@@ -8,6 +8,7 @@
 #include "CsvTable.h"
 #include "NumberText.h"
 #include "ResultPanels.h"
+#include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "Terminal.h"
 #include "vtkPEMChart.h"
@@ -96,6 +97,24 @@ int Correlate(const CorrelateArguments& arguments)
   return AllDone;
 }
 
+/** A table alone does not say which runs it holds: those named like a known solver are labelled. */
+ColumnLabels LabelsOfKnownSolvers()
+{
+  Study study;
+  std::vector<SolverDescription> descriptions;
+  for (const FoundSolver& found : ListSolvers())
+  {
+    if (found.Error.empty())
+    {
+      StudySolver run;
+      run.Name = found.Description.Name;
+      study.Solvers.push_back(run);
+      descriptions.push_back(found.Description);
+    }
+  }
+  return { study, descriptions };
+}
+
 int Plot(const PlotArguments& arguments)
 {
   const vtkSmartPointer<vtkTable> table = ReadCsvFile(arguments.Table);
@@ -106,7 +125,7 @@ int Plot(const PlotArguments& arguments)
   plot.Log = arguments.Log;
   plot.ColorBy = arguments.ColorBy;
   plot.Title = arguments.Title;
-  const auto chart = MakeResultChart(plot, table, ColumnLabels());
+  const auto chart = MakeResultChart(plot, table, LabelsOfKnownSolvers());
   if (const std::string reason = chart->WhyNotDrawable(); !reason.empty())
   {
     throw std::runtime_error(reason);
