@@ -10,7 +10,10 @@
 
 #include <exception>
 
-int main(int argc, char** argv)
+namespace
+{
+
+int RunProgram(int argc, char** argv)
 {
   CLI::App program("How the geometry of polygonal meshes affects polytopal element methods.\n"
                    "Exit code: 0 all was done, 1 part of it failed (the rest is done and saved),\n"
@@ -40,4 +43,18 @@ int main(int argc, char** argv)
     return pemesh::WrongUsage;
   }
   return exitCode;
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    return RunProgram(argc, argv);
+  }
+  catch (...) // not even a sentence could be printed
+  {
+    return pemesh::PartFailed;
+  }
 }

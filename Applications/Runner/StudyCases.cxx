@@ -48,6 +48,7 @@ std::vector<StudyCase> CasesOfTimes(const Study& study)
   const std::vector<double> times = StudyTimes(study);
   const int count = static_cast<int>(times.size());
   std::vector<StudyCase> cases;
+  cases.reserve(times.size());
   for (int index = 0; index < count; ++index)
   {
     const double t = times[static_cast<std::size_t>(index)];
