@@ -97,17 +97,4 @@ std::string ColumnLabels::Title(const std::string& column) const
   return found == this->Titles.end() ? column : found->second;
 }
 
-std::string MetricOfColumn(const std::string& column)
-{
-  for (const auto& [ending, word] : Statistics)
-  {
-    if (column.ends_with(ending))
-    {
-      const std::string name = column.substr(0, column.size() - std::string(ending).size());
-      return FindMetric(name) ? name : std::string();
-    }
-  }
-  return {};
-}
-
 } // namespace pemesh

@@ -38,9 +38,6 @@ private:
   std::map<std::string, std::string> Titles;
 };
 
-/** The metric of a summary's column such as MinAngle_min, or "" if it is none. */
-PEMESHRUNNER_EXPORT std::string MetricOfColumn(const std::string& column);
-
 } // namespace pemesh
 
 #endif

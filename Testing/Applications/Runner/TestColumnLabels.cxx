@@ -5,7 +5,6 @@
 #include <gtest/gtest.h>
 
 using pemesh::ColumnLabels;
-using pemesh::MetricOfColumn;
 
 TEST(ColumnLabels, SayWhatAColumnHoldsAndInWhichUnit)
 {
@@ -15,12 +14,4 @@ TEST(ColumnLabels, SayWhatAColumnHoldsAndInWhichUnit)
   EXPECT_EQ(labels.Title("MinAngle_min").find("smallest "), 0U);
   EXPECT_EQ(labels.Title("EdgeRatio_mean").find("(1)"), std::string::npos) << "no unit for ratios";
   EXPECT_EQ(labels.Title("somebody-elses-column"), "somebody-elses-column");
-}
-
-TEST(ColumnLabels, MetricOfColumn)
-{
-  EXPECT_EQ(MetricOfColumn("KernelAreaRatio_max"), "KernelAreaRatio");
-  EXPECT_EQ(MetricOfColumn("KernelAreaRatio"), "");
-  EXPECT_EQ(MetricOfColumn("Elements"), "");
-  EXPECT_EQ(MetricOfColumn("NoMetric_max"), "");
 }
