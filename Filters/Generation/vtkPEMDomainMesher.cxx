@@ -7,6 +7,7 @@
 #include "DomainMesh.h"
 #include "ElementAccess.h"
 #include "LayoutValidity.h"
+#include "MeshConversion.h"
 #include "NumberText.h"
 #include "PolygonMeasures.h"
 #include "Progress.h"
@@ -34,8 +35,6 @@ vtkStandardNewMacro(vtkPEMDomainMesher);
 namespace
 {
 
-constexpr const char* PolygonIdArray = "PolygonId";
-constexpr const char* ElementFamilyArray = "ElementFamily";
 constexpr const char* PolygonNameArray = "PolygonName";
 constexpr int Filler = -1;
 constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
@@ -76,8 +75,8 @@ std::string ReadLayout(vtkPolyData* input, Layout& layout)
       names ? std::string(names->GetValue(cell)) : "polygon " + std::to_string(cell + 1);
     access.GetVertices(cell, polygon.Vertices);
     layout.Polygons.push_back(std::move(polygon));
-    layout.Ids.push_back(CellNumber(input, PolygonIdArray, cell, static_cast<int>(cell)));
-    layout.Families.push_back(CellNumber(input, ElementFamilyArray, cell, Filler));
+    layout.Ids.push_back(CellNumber(input, pemesh::PolygonIdArray, cell, static_cast<int>(cell)));
+    layout.Families.push_back(CellNumber(input, pemesh::ElementFamilyArray, cell, Filler));
   }
   return pemesh::FindLayoutFault(layout.Polygons, pemesh::GetFieldNumber(input, "t"));
 }
@@ -123,9 +122,9 @@ void WriteMesh(const pemesh::DomainMesh& mesh, const Layout& layout, vtkPolyData
   }
   vtkNew<vtkCellArray> cells;
   vtkNew<vtkIntArray> ids;
-  ids->SetName(PolygonIdArray);
+  ids->SetName(pemesh::PolygonIdArray);
   vtkNew<vtkIntArray> families;
-  families->SetName(ElementFamilyArray);
+  families->SetName(pemesh::ElementFamilyArray);
   for (std::size_t i = 0; i < mesh.Polygons.size(); ++i)
   {
     cells->InsertNextCell(static_cast<int>(mesh.Polygons[i].size()));

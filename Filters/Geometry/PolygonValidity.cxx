@@ -359,6 +359,11 @@ PolygonRelation RelatePolygons(PolygonView first, PolygonView second)
                                                          : PolygonRelation::Apart;
 }
 
+bool DoBoundariesMeet(PolygonView first, PolygonView second)
+{
+  return FindContact(EdgesOf(first), EdgesOf(second)) != Contact::None;
+}
+
 RectangleRelation RelateToRectangle(PolygonView polygon, const Point2& low, const Point2& high)
 {
   RectangleRelation relation = RectangleRelation::Inside;

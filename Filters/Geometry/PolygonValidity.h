@@ -62,6 +62,9 @@ enum class PolygonRelation
 /** Cost: linear, and quadratic in the edges that come near the other polygon's bounding box. */
 PEMESHFILTERSGEOMETRY_EXPORT PolygonRelation RelatePolygons(PolygonView first, PolygonView second);
 
+/** Whether the boundaries of two simple polygons have a point in common. Cost as RelatePolygons. */
+PEMESHFILTERSGEOMETRY_EXPORT bool DoBoundariesMeet(PolygonView first, PolygonView second);
+
 /** How a polygon lies in an axis-parallel rectangle. */
 enum class RectangleRelation
 {
