@@ -15,18 +15,15 @@
 namespace pemesh
 {
 
-std::string GeneratedMeshName(int index, int count, double t)
+namespace
+{
+
+std::string NumberName(int index, int count)
 {
   const std::size_t width = std::max<std::size_t>(3, std::to_string(count - 1).size());
   std::string name = std::to_string(index);
-  name.insert(0, width - std::min(width, name.size()), '0');
-  char buffer[32];
-  const auto end = std::to_chars(buffer, buffer + sizeof(buffer), t, std::chars_format::fixed, 6);
-  return name + "_" + std::string(buffer, end.ptr);
+  return name.insert(0, width - std::min(width, name.size()), '0');
 }
-
-namespace
-{
 
 std::vector<StudyCase> CasesOfFiles(const Study& study)
 {
@@ -35,36 +32,64 @@ std::vector<StudyCase> CasesOfFiles(const Study& study)
   {
     reader->AddFileName(path.string());
   }
+  const std::vector<std::vector<SweptValue>> sweeps = SweepCases(study);
+  const int count = static_cast<int>(sweeps.size());
   std::vector<StudyCase> cases;
-  for (int index = 0; index < reader->GetNumberOfFileNames(); ++index)
+  for (int file = 0; file < reader->GetNumberOfFileNames(); ++file)
   {
-    cases.push_back({ index, reader->GetMeshName(index), static_cast<double>(index), {} });
+    for (int i = 0; i < count; ++i)
+    {
+      const std::string suffix = study.Sweep.empty() ? "" : "_" + NumberName(i, count);
+      cases.push_back({ static_cast<int>(cases.size()), reader->GetMeshName(file) + suffix,
+        static_cast<double>(file), sweeps[static_cast<std::size_t>(i)] });
+    }
   }
   return cases;
 }
 
-std::vector<StudyCase> CasesOfTimes(const Study& study)
+std::vector<StudyCase> CasesOfSweeps(const Study& study)
 {
-  const std::vector<double> times = StudyTimes(study);
-  const int count = static_cast<int>(times.size());
+  const std::vector<std::vector<SweptValue>> sweeps = SweepCases(study);
+  const int count = static_cast<int>(sweeps.size());
   std::vector<StudyCase> cases;
-  cases.reserve(times.size());
-  for (int index = 0; index < count; ++index)
+  cases.reserve(sweeps.size());
+  for (const std::vector<SweptValue>& values : sweeps)
   {
-    const double t = times[static_cast<std::size_t>(index)];
-    cases.push_back({ index, GeneratedMeshName(index, count, t), t, { { "t", t } } });
+    const int index = static_cast<int>(cases.size());
+    cases.push_back(
+      { index, GeneratedMeshName(index, count, values), DeformationOf(values), values });
   }
   return cases;
 }
 
 } // namespace
 
+std::string GeneratedMeshName(int index, int count, const std::vector<SweptValue>& values)
+{
+  std::string name = NumberName(index, count);
+  for (const SweptValue& value : values)
+  {
+    if (value.Parameter == DeformationParameter)
+    {
+      char buffer[32];
+      const auto end = std::to_chars(
+        buffer, buffer + sizeof(buffer), ScalarToNumber(value.Value), std::chars_format::fixed, 6);
+      name += "_" + std::string(buffer, end.ptr);
+    }
+  }
+  return name;
+}
+
 std::vector<StudyCase> MakeStudyCases(const Study& study)
 {
-  std::vector<StudyCase> cases = HasMeshFiles(study) ? CasesOfFiles(study) : CasesOfTimes(study);
+  std::vector<StudyCase> cases = HasMeshFiles(study) ? CasesOfFiles(study) : CasesOfSweeps(study);
   if (cases.empty())
   {
     throw std::runtime_error("The study \"" + study.Name + "\" has no mesh.");
+  }
+  for (const StudyCase& studyCase : cases)
+  {
+    MakeStudyOfCase(study, studyCase.Values); // throws
   }
   return cases;
 }

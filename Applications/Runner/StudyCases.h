@@ -6,8 +6,9 @@
 #ifndef pemesh_StudyCases_h
 #define pemesh_StudyCases_h
 
+#include "StudySweeps.h"
+
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace pemesh
@@ -22,16 +23,21 @@ struct StudyCase
   std::string Name;
   /** What time the source is asked for: t of a layout, the index of a mesh file. */
   double Time = 0.0;
-  /** Swept parameters by name, in the order of the study. */
-  std::vector<std::pair<std::string, double>> Parameters;
+  /** What is swept, in the order of the study. */
+  std::vector<SweptValue> Values;
 };
 
-/** Throws std::runtime_error when the study names no mesh. */
+/**
+ * Throws std::runtime_error when the study names no mesh, and when a swept value is not allowed
+ * where it is set.
+ */
 std::vector<StudyCase> MakeStudyCases(const Study& study);
 
-/** Name of a generated mesh, as in "009_0.426316": index with at least three digits, value with six
- * decimals. */
-std::string GeneratedMeshName(int index, int count, double t);
+/**
+ * Name of a generated mesh, as in "009_0.426316": index with at least three digits and, where t is
+ * swept, its value with six decimals.
+ */
+std::string GeneratedMeshName(int index, int count, const std::vector<SweptValue>& values);
 
 } // namespace pemesh
 

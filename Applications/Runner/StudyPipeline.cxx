@@ -6,14 +6,14 @@
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
+#include "StudyGeneration.h"
 #include "vtkPEMCaseLabel.h"
-#include "vtkPEMDomainMesher.h"
 #include "vtkPEMExternalSolver.h"
-#include "vtkPEMMeshReader.h"
 #include "vtkPEMMetricSummary.h"
 #include "vtkPEMMetrics.h"
-#include "vtkPEMPolygonLayout.h"
 
+#include <cmath>
+#include <optional>
 #include <stdexcept>
 
 #include <vtkCallbackCommand.h>
@@ -32,54 +32,8 @@ namespace pemesh
 namespace
 {
 
-vtkSmartPointer<vtkAlgorithm> MakeLayout(const Study& study)
+void ConfigureSolver(vtkPEMExternalSolver* solver, const StudySolver& run)
 {
-  auto layout = vtkSmartPointer<vtkPEMPolygonLayout>::New();
-  for (const StudyPolygon& polygon : study.Polygons)
-  {
-    const int index = layout->AddPolygon(polygon.Family, polygon.Center[0], polygon.Center[1]);
-    layout->SetPolygonScale(index, polygon.Scale);
-    layout->SetPolygonRotation(index, polygon.Rotation);
-    layout->SetPolygonRange(index, polygon.From, polygon.To);
-    if (polygon.Count > 0)
-    {
-      layout->SetPolygonCount(index, polygon.Count);
-    }
-    if (!polygon.Name.empty())
-    {
-      layout->SetPolygonName(index, polygon.Name);
-    }
-  }
-  auto mesher = vtkSmartPointer<vtkPEMDomainMesher>::New();
-  mesher->SetInputConnection(layout->GetOutputPort());
-  mesher->SetAreaRuleByName(study.Mesh.MaximumArea.Rule);
-  if (mesher->GetAreaRule() == vtkPEMDomainMesher::AREA_CONSTANT)
-  {
-    mesher->SetMaximumArea(study.Mesh.MaximumArea.Value);
-  }
-  mesher->SetMinimumAngle(study.Mesh.MinimumAngle);
-  mesher->SetPreservePolygons(study.Mesh.PreservePolygons);
-  return mesher;
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeReader(const Study& study)
-{
-  auto reader = vtkSmartPointer<vtkPEMMeshReader>::New();
-  for (const std::filesystem::path& path : FindStudyMeshes(study))
-  {
-    reader->AddFileName(path.string());
-  }
-  return reader;
-}
-
-vtkSmartPointer<vtkAlgorithm> MakeSolver(const StudySolver& run,
-  const SolverDescription& description, const StudyPipeline::Options& options)
-{
-  auto solver = vtkSmartPointer<vtkPEMExternalSolver>::New();
-  solver->SetDescription(description);
-  solver->SetRunName(run.Name);
-  solver->SetThreads(options.Threads);
-  solver->SetWorkDirectory((options.SolverFolder / run.Name).string());
   for (const auto& [name, value] : run.Options)
   {
     solver->SetOption(name, FormatScalar(value));
@@ -88,7 +42,6 @@ vtkSmartPointer<vtkAlgorithm> MakeSolver(const StudySolver& run,
   {
     solver->SetTimeLimit(*run.TimeLimit);
   }
-  return solver;
 }
 
 } // namespace
@@ -113,18 +66,42 @@ public:
       });
   }
 
-  /** Puts a filter at the end of the pipeline. */
-  void Append(vtkAlgorithm* filter)
+  void Observe(vtkAlgorithm* filter)
   {
     filter->AddObserver(vtkCommand::ErrorEvent, this->ErrorObserver);
     // The executive repeats in many lines that the filter failed: kept out of the output.
     filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->ErrorObserver);
     filter->AddObserver(vtkCommand::ProgressEvent, this->StopObserver);
-    if (!this->Filters.empty())
+  }
+
+  /** Puts a filter behind the last one. */
+  void Append(vtkAlgorithm* filter)
+  {
+    this->Observe(filter);
+    if (this->Last)
     {
-      filter->SetInputConnection(this->Filters.back()->GetOutputPort());
+      filter->SetInputConnection(this->Last->GetOutputPort());
     }
-    this->Filters.emplace_back(filter);
+    this->First = this->First ? this->First : filter;
+    this->Last = filter;
+  }
+
+  /** Sets what a case says; what it leaves as it was stays up to date. */
+  void Configure(const Study& study)
+  {
+    this->First->SetInputConnection(this->Generation.Configure(study)->GetOutputPort());
+    for (std::size_t i = 0; i < this->Solvers.size(); ++i)
+    {
+      ConfigureSolver(this->Solvers[i], study.Solvers[i]);
+    }
+  }
+
+  void ThrowError() const
+  {
+    if (!this->Error.empty())
+    {
+      throw std::runtime_error(this->Error);
+    }
   }
 
   void KeepError(const char* text)
@@ -139,9 +116,15 @@ public:
   std::string Error;
   vtkNew<vtkCallbackCommand> ErrorObserver;
   vtkNew<vtkCallbackCommand> StopObserver;
-  std::vector<vtkSmartPointer<vtkAlgorithm>> Filters;
+  Study BaseStudy;
+  std::optional<std::vector<SweptValue>> Configured; // the case that the pipeline is set to
+  StudyGeneration Generation;
   vtkNew<vtkPEMCaseLabel> Label;
+  vtkNew<vtkPEMMetrics> Metrics;
+  std::vector<vtkSmartPointer<vtkPEMExternalSolver>> Solvers;
   vtkNew<vtkPEMMetricSummary> Summary;
+  vtkAlgorithm* First = nullptr; // behind the generation
+  vtkAlgorithm* Last = nullptr;
 };
 
 StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescription>& solvers,
@@ -149,33 +132,30 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
   : Implementation(std::make_unique<Internals>(stop))
 {
   Internals& pipeline = *this->Implementation;
-  if (HasMeshFiles(study))
+  pipeline.BaseStudy = study;
+  for (vtkAlgorithm* filter : pipeline.Generation.GetFilters())
   {
-    pipeline.Append(MakeReader(study));
+    pipeline.Observe(filter);
   }
-  else
-  {
-    vtkSmartPointer<vtkAlgorithm> mesher = MakeLayout(study);
-    pipeline.Append(mesher->GetInputAlgorithm());
-    pipeline.Append(mesher);
-  }
-  pipeline.Append(pipeline.Label);
   if (!study.Metrics || !study.Metrics->empty())
   {
-    vtkNew<vtkPEMMetrics> metrics;
-    if (study.Metrics)
-    {
-      metrics->SetMetrics(*study.Metrics);
-    }
-    pipeline.Append(metrics);
+    pipeline.Append(pipeline.Metrics);
+  }
+  pipeline.Append(pipeline.Label); // behind the metrics: a new label does not measure again
+  if (study.Metrics)
+  {
+    pipeline.Metrics->SetMetrics(*study.Metrics);
+    pipeline.Summary->SetMetrics(*study.Metrics);
   }
   for (std::size_t i = 0; i < study.Solvers.size(); ++i)
   {
-    pipeline.Append(MakeSolver(study.Solvers[i], solvers[i], options));
-  }
-  if (study.Metrics)
-  {
-    pipeline.Summary->SetMetrics(*study.Metrics);
+    auto solver = vtkSmartPointer<vtkPEMExternalSolver>::New();
+    solver->SetDescription(solvers[i]);
+    solver->SetRunName(study.Solvers[i].Name);
+    solver->SetThreads(options.Threads);
+    solver->SetWorkDirectory((options.SolverFolder / study.Solvers[i].Name).string());
+    pipeline.Append(solver);
+    pipeline.Solvers.push_back(solver);
   }
   pipeline.Append(pipeline.Summary);
 }
@@ -186,10 +166,18 @@ void StudyPipeline::Execute(const StudyCase& studyCase)
 {
   Internals& pipeline = *this->Implementation;
   pipeline.Error.clear();
-  pipeline.Label->SetMeshName(studyCase.Name);
-  for (const auto& [name, value] : studyCase.Parameters)
+  if (pipeline.Configured != studyCase.Values)
   {
-    pipeline.Label->SetParameter(name, value);
+    pipeline.Configure(MakeStudyOfCase(pipeline.BaseStudy, studyCase.Values));
+    pipeline.ThrowError();
+    pipeline.Configured = studyCase.Values;
+  }
+  pipeline.Label->SetMeshName(studyCase.Name);
+  for (const SweptValue& swept : studyCase.Values)
+  {
+    const double number = ScalarToNumber(swept.Value);
+    std::isnan(number) ? pipeline.Label->SetTextParameter(swept.Name, FormatScalar(swept.Value))
+                       : pipeline.Label->SetParameter(swept.Name, number);
   }
   vtkAlgorithm* last = pipeline.Summary;
   last->UpdateInformation();
@@ -197,10 +185,10 @@ void StudyPipeline::Execute(const StudyCase& studyCase)
     ->GetOutputInformation(0)
     ->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), studyCase.Time);
   const bool done = last->GetExecutive()->Update() != 0;
-  if (!done || !pipeline.Error.empty())
+  pipeline.ThrowError();
+  if (!done)
   {
-    throw std::runtime_error(
-      pipeline.Error.empty() ? "The pipeline failed without saying why." : pipeline.Error);
+    throw std::runtime_error("The pipeline failed without saying why.");
   }
 }
 

@@ -3,11 +3,10 @@
 /**
  * One worker's pipeline: from a case to its mesh with all arrays and its row of the table.
  *
- *     polygon layout -> domain mesher \
- *                                      -> case label -> metrics -> solver, … -> metric summary
- *     mesh reader --------------------/
+ *     generation (StudyGeneration.h) -> metrics -> case label -> solver, … -> metric summary
  *
- * The pipeline is kept from case to case: only what the case changes executes again.
+ * The pipeline is kept from case to case: only what the case changes executes again, so that
+ * sweeping the order of a solver never makes a mesh twice.
  */
 #ifndef pemesh_StudyPipeline_h
 #define pemesh_StudyPipeline_h

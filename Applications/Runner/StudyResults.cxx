@@ -19,6 +19,7 @@
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
+#include <vtkVariant.h>
 
 namespace pemesh
 {
@@ -39,6 +40,22 @@ Array* AddColumn(vtkTable* table, const char* name)
   column->SetName(name);
   table->AddColumn(column);
   return column;
+}
+
+bool IsText(const StudyScalar& value)
+{
+  return !std::holds_alternative<double>(value) && !std::holds_alternative<std::int64_t>(value);
+}
+
+void AddValueColumn(vtkTable* table, const SweptValue& swept)
+{
+  IsText(swept.Value) ? void(AddColumn<vtkStringArray>(table, swept.Name.c_str()))
+                      : void(AddColumn<vtkDoubleArray>(table, swept.Name.c_str()));
+}
+
+vtkVariant VariantOf(const StudyScalar& value)
+{
+  return IsText(value) ? vtkVariant(FormatScalar(value)) : vtkVariant(ScalarToNumber(value));
 }
 
 /** Sentences name files of this machine: they go to failures.csv, never into the results. */
@@ -109,9 +126,9 @@ void StudyResults::Finish()
   this->Index = vtkSmartPointer<vtkTable>::New();
   auto* meshIndex = AddColumn<vtkIdTypeArray>(this->Index, "Index");
   auto* meshName = AddColumn<vtkStringArray>(this->Index, "Mesh");
-  for (const auto& parameter : this->Cases.front().Parameters)
+  for (const SweptValue& swept : this->Cases.front().Values)
   {
-    AddColumn<vtkDoubleArray>(this->Index, parameter.first.c_str());
+    AddValueColumn(this->Index, swept);
   }
   vtkNew<vtkIdTypeArray> rowIndex;
   rowIndex->SetName("Index");
@@ -127,10 +144,10 @@ void StudyResults::Finish()
     rowIndex->InsertNextValue(studyCase.Index);
     meshIndex->InsertNextValue(studyCase.Index);
     meshName->InsertNextValue(studyCase.Name);
-    for (const auto& [name, value] : studyCase.Parameters)
+    for (const SweptValue& swept : studyCase.Values)
     {
-      vtkArrayDownCast<vtkDoubleArray>(this->Index->GetColumnByName(name.c_str()))
-        ->InsertNextValue(value);
+      this->Index->GetColumnByName(swept.Name.c_str())
+        ->InsertVariantValue(rowIndex->GetNumberOfValues() - 1, VariantOf(swept.Value));
     }
   }
   this->Timings = vtkSmartPointer<vtkTable>::New();
@@ -194,8 +211,11 @@ void StudyResults::WriteSeries(
     if (this->Rows[static_cast<std::size_t>(studyCase.Index)] &&
       std::filesystem::exists(folder / file))
     {
-      text += "    <DataSet timestep=\"" + FormatNumber(studyCase.Time) + "\" part=\"0\" file=\"" +
-        EscapeXml(file.generic_string()) + "\"/>\n";
+      const bool isFamily =
+        studyCase.Values.size() == 1 && studyCase.Values[0].Parameter == DeformationParameter;
+      text += "    <DataSet timestep=\"" +
+        FormatNumber(isFamily ? studyCase.Time : static_cast<double>(studyCase.Index)) +
+        "\" part=\"0\" file=\"" + EscapeXml(file.generic_string()) + "\"/>\n";
     }
   }
   text += "  </Collection>\n</VTKFile>\n";

@@ -61,8 +61,8 @@ public:
   void Write(const std::filesystem::path& folder, bool indexOnly) const;
 
   /**
-   * Writes series.pvd over the meshes written as .vtp in the folder `meshes` below, by t or else
-   * by index.
+   * Writes series.pvd over the meshes written as .vtp in the folder `meshes` below, by t where
+   * nothing else is swept, else by index.
    */
   void WriteSeries(const std::filesystem::path& folder, const std::filesystem::path& meshes) const;
 

@@ -24,6 +24,16 @@ void vtkPEMCaseLabel::SetMeshName(const std::string& name)
 
 void vtkPEMCaseLabel::SetParameter(const std::string& name, double value)
 {
+  this->ChangeParameter(name, value);
+}
+
+void vtkPEMCaseLabel::SetTextParameter(const std::string& name, const std::string& value)
+{
+  this->ChangeParameter(name, value);
+}
+
+void vtkPEMCaseLabel::ChangeParameter(const std::string& name, const ParameterValue& value)
+{
   const auto found = std::find_if(this->Parameters.begin(), this->Parameters.end(),
     [&](const auto& parameter) { return parameter.first == name; });
   if (found == this->Parameters.end())
@@ -58,7 +68,14 @@ int vtkPEMCaseLabel::RequestData(
   }
   for (const auto& [name, value] : this->Parameters)
   {
-    pemesh::SetFieldNumber(output, name, value);
+    if (const double* number = std::get_if<double>(&value))
+    {
+      pemesh::SetFieldNumber(output, name, *number);
+    }
+    else
+    {
+      pemesh::SetFieldText(output, name, std::get<std::string>(value));
+    }
     pemesh::AddToFieldList(output, pemesh::ParametersList, name);
   }
   return 1;
@@ -70,6 +87,8 @@ void vtkPEMCaseLabel::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MeshName: " << this->MeshName << "\n";
   for (const auto& [name, value] : this->Parameters)
   {
-    os << indent << "Parameter " << name << ": " << value << "\n";
+    os << indent << "Parameter " << name << ": ";
+    std::visit([&os](const auto& shown) { os << shown; }, value);
+    os << "\n";
   }
 }

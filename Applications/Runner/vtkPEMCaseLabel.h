@@ -5,15 +5,17 @@
  * @brief   Passes a mesh on with the name and the parameters of its case as field data.
  *
  * Input port 0 and output port 0: vtkPolyData. Field text `Mesh` is the name; every parameter is a
- * field number listed in `Parameters`.
+ * field number or text listed in `Parameters`.
  */
 #ifndef vtkPEMCaseLabel_h
 #define vtkPEMCaseLabel_h
 
 #include "pemeshRunnerModule.h" // For export macro
 
-#include <string> // For arguments
-#include <vector> // For the parameters
+#include <string>  // For arguments
+#include <utility> // For the parameters
+#include <variant> // For the parameters
+#include <vector>  // For the parameters
 
 #include <vtkPolyDataAlgorithm.h>
 
@@ -31,8 +33,9 @@ public:
   ///@}
 
   ///@{
-  /** Sets a parameter, or changes its value. Default none. */
+  /** Sets a parameter, or changes its value, a number or a text. Default none. */
   void SetParameter(const std::string& name, double value);
+  void SetTextParameter(const std::string& name, const std::string& value);
   void RemoveAllParameters();
   ///@}
 
@@ -48,7 +51,10 @@ private:
   void operator=(const vtkPEMCaseLabel&) = delete;
 
   std::string MeshName;
-  std::vector<std::pair<std::string, double>> Parameters;
+  using ParameterValue = std::variant<double, std::string>;
+  void ChangeParameter(const std::string& name, const ParameterValue& value);
+
+  std::vector<std::pair<std::string, ParameterValue>> Parameters;
 };
 
 #endif

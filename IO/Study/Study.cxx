@@ -203,43 +203,6 @@ double ScalarToNumber(const StudyScalar& value)
   return number ? *number : std::numeric_limits<double>::quiet_NaN();
 }
 
-std::vector<StudyScalar> SweepValues(const StudySweep& sweep)
-{
-  if (!sweep.Values.empty())
-  {
-    return sweep.Values;
-  }
-  std::vector<StudyScalar> values;
-  for (int i = 0; i < sweep.Count; ++i)
-  {
-    // As vtkPEMPolygonLayout does it, so that both give the same bits.
-    values.emplace_back(i > 0 && i + 1 == sweep.Count
-        ? sweep.To
-        : sweep.From + i * (sweep.To - sweep.From) / std::max(sweep.Count - 1, 1));
-  }
-  return values;
-}
-
-std::vector<double> StudyTimes(const Study& study)
-{
-  std::vector<double> times;
-  if (HasMeshFiles(study))
-  {
-    return times;
-  }
-  for (const StudySweep& sweep : study.Sweep)
-  {
-    if (sweep.Parameter == "t")
-    {
-      for (const StudyScalar& value : SweepValues(sweep))
-      {
-        times.push_back(ScalarToNumber(value));
-      }
-    }
-  }
-  return times.empty() ? std::vector<double>{ 0.0 } : times;
-}
-
 std::vector<std::filesystem::path> FindStudyMeshes(const Study& study)
 {
   std::vector<fs::path> found;

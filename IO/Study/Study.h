@@ -48,16 +48,16 @@ struct StudyPolygon
 /** One swept parameter: `Values` if there are any, else `Count` equidistant ones. */
 struct StudySweep
 {
-  std::string Parameter = "t";
+  std::string Parameter = "t"; // t, or the path of a value of the document: "mesh.min-angle"
+  std::string Name;            // of its column; never empty after reading, unique
   double From = 0.0;
   double To = 0.9;
   int Count = 20;
+  std::string Spacing = "linear"; // linear | geometric
   std::vector<StudyScalar> Values;
+  bool Zip = false; // advances with the sweep before it
   bool operator==(const StudySweep&) const = default;
 };
-
-/** The values that a parameter takes, in order. */
-PEMESHIOSTUDY_EXPORT std::vector<StudyScalar> SweepValues(const StudySweep& sweep);
 
 /** Bound on the area of the triangles around the polygons. */
 struct StudyMaximumArea
@@ -130,9 +130,6 @@ inline bool HasMeshFiles(const Study& study)
 {
   return !study.Meshes.empty();
 }
-
-/** The values of t, in order; empty for a study of mesh files. */
-PEMESHIOSTUDY_EXPORT std::vector<double> StudyTimes(const Study& study);
 
 /**
  * The mesh files of a study in the order of its patterns, those of one pattern sorted by name

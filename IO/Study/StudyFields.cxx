@@ -16,92 +16,6 @@ namespace
 
 constexpr const char* AllMetrics = "all";
 
-// --- sweep ---------------------------------------------------------------------------------------
-
-Field<StudySweep> ParameterField()
-{
-  Field<StudySweep> field =
-    TextField("parameter", &StudySweep::Parameter, "What is swept: t, the deformation.");
-  field.Read = [](const JsonValue& json, const DocumentPlace& place, StudySweep& sweep)
-  {
-    sweep.Parameter = ReadText(json, place);
-    if (sweep.Parameter != "t")
-    {
-      place.Fail("is \"" + sweep.Parameter +
-        "\"; only \"t\", the deformation of the polygons, can be swept so far.");
-    }
-  };
-  return field;
-}
-
-Field<StudySweep> ValuesField()
-{
-  return { "values", "list of numbers between 0 and 1",
-    "The values themselves, in place of from, to and count.",
-    [](const JsonValue& json, const DocumentPlace& place, StudySweep& sweep)
-    {
-      for (const JsonValue& item : ReadList(json, place))
-      {
-        sweep.Values.emplace_back(ReadNumber(item, place.Item(sweep.Values.size()), { 0.0, 1.0 }));
-      }
-      if (sweep.Values.empty())
-      {
-        place.Fail("is empty: give at least one value.");
-      }
-    },
-    [](const StudySweep& sweep) -> std::optional<JsonValue>
-    {
-      if (sweep.Values.empty())
-      {
-        return std::nullopt;
-      }
-      JsonValue::List list;
-      for (const StudyScalar& value : sweep.Values)
-      {
-        list.push_back(JsonNumber(ScalarToNumber(value)));
-      }
-      return JsonValue{ std::move(list) };
-    } };
-}
-
-FieldTable<StudySweep> SweepFields()
-{
-  const auto isEquidistant = [](const StudySweep& sweep) { return sweep.Values.empty(); };
-  const std::string which = "a sweep without values";
-  FieldTable<StudySweep> table;
-  table.Fields = { ParameterField(), ValuesField(),
-    NumberField("from", &StudySweep::From, { 0.0, 1.0 }, "The first value.")
-      .Only(isEquidistant, which),
-    NumberField("to", &StudySweep::To, { 0.0, 1.0 }, "The last value.").Only(isEquidistant, which),
-    IntegerField("count", &StudySweep::Count, 1, MostCases, "How many equidistant values.")
-      .Only(isEquidistant, which) };
-  table.Finish = [](const DocumentPlace& place, StudySweep& sweep)
-  {
-    if (sweep.From > sweep.To)
-    {
-      place.Member("from").Fail("is " + FormatNumber(sweep.From) + ", which is more than to, " +
-        FormatNumber(sweep.To) + ".");
-    }
-  };
-  return table;
-}
-
-void CheckSweeps(const DocumentPlace& place, const Study& study)
-{
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < study.Sweep.size(); ++i)
-  {
-    const std::string& parameter = study.Sweep[i].Parameter;
-    if (!seen.insert(parameter).second)
-    {
-      place.Member("sweep")
-        .Item(i)
-        .Member("parameter")
-        .Fail("is \"" + parameter + "\", which is swept already.");
-    }
-  }
-}
-
 // --- mesh ----------------------------------------------------------------------------------------
 
 FieldTable<StudyMaximumArea> MaximumAreaFields()
@@ -248,8 +162,7 @@ const FieldTable<Study>& StudyFields()
       NameField(), std::move(meshes),
       ListField("polygons", &Study::Polygons, PolygonFields(), "The placed polygons.")
         .Only(makesMeshes, which),
-      ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh.")
-        .Only(makesMeshes, which),
+      ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh."),
       ObjectField("mesh", &Study::Mesh, MeshFields(), "How the domain around them is meshed.")
         .Only(makesMeshes, which),
       MetricsField(),
@@ -258,7 +171,7 @@ const FieldTable<Study>& StudyFields()
       ObjectField("output", &Study::Output, OutputFields(), "What is written.") };
     result.Finish = [](const DocumentPlace& place, Study& study)
     {
-      CheckSweeps(place, study);
+      FinishSweeps(place, study);
       NameRuns(place, study);
       FinishPlots(place, study);
     };

@@ -25,6 +25,7 @@ const FieldTable<Study>& StudyFields();
 ///@{
 /** Its larger parts. */
 FieldTable<StudyPolygon> PolygonFields();
+FieldTable<StudySweep> SweepFields();
 FieldTable<StudySolver> SolverFields();
 FieldTable<StudyPlot> PlotFields();
 ///@}
@@ -34,6 +35,16 @@ FieldTable<StudyPlot> PlotFields();
  * that is taken too or there is no order, solver-2, solver-3, …
  */
 void NameRuns(const DocumentPlace& place, Study& study);
+
+/** Stands for the sweep of a document that names none: FinishSweeps decides whether there is one.
+ */
+StudySweep UndecidedSweep();
+
+/**
+ * Names the columns of the sweeps, and refuses those that do not go together. By default t is
+ * swept if a polygon changes with it.
+ */
+void FinishSweeps(const DocumentPlace& place, Study& study);
 
 /** Fills in the x axes and the file names that are not given. */
 void FinishPlots(const DocumentPlace& place, Study& study);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyFile.h"
 
+#include "DocumentPath.h"
 #include "StudyFields.h"
 #include "TextFile.h"
 
@@ -31,50 +32,6 @@ void CheckHasSource(const JsonValue::Object& document, const DocumentPlace& plac
     place.Fail("has neither polygons nor meshes: place polygons in the domain, or name mesh "
                "files, for example \"meshes\": \"folder/*.off\".");
   }
-}
-
-/** "mesh.min-angle", "polygons[0].scale" and "polygons.0.scale" as a list of keys. */
-std::vector<std::string> SplitPath(std::string_view path)
-{
-  std::vector<std::string> keys(1);
-  for (const char c : path)
-  {
-    if (c == '.' || c == '[')
-    {
-      keys.emplace_back();
-    }
-    else if (c != ']')
-    {
-      keys.back() += c;
-    }
-  }
-  return keys;
-}
-
-/** The value behind one more key, made if it is a member that is missing. */
-JsonValue& Descend(JsonValue& value, const std::string& key, const std::string& setting)
-{
-  if (auto* list = value.As<JsonValue::List>())
-  {
-    const std::optional<long long> index = ParseInteger(key);
-    if (!index || *index < 0 || static_cast<std::size_t>(*index) >= list->size())
-    {
-      throw std::runtime_error("The setting \"" + setting + "\" names item \"" + key +
-        "\" of a list of " + std::to_string(list->size()) + ": items count from 0.");
-    }
-    return (*list)[static_cast<std::size_t>(*index)];
-  }
-  auto* object = value.As<JsonValue::Object>();
-  if (!object)
-  {
-    throw std::runtime_error("The setting \"" + setting + "\" looks for \"" + key + "\" in " +
-      ShowValue(value) + ", which has no members.");
-  }
-  if (JsonValue* member = FindMember(*object, key))
-  {
-    return *member;
-  }
-  return object->emplace_back(JsonMember{ key, { JsonValue::Object() } }).Value;
 }
 
 JsonValue ParseSettingValue(std::string_view text, const std::string& setting)
@@ -114,22 +71,13 @@ Study ParseStudy(std::string_view text, const fs::path& path)
   }
   Study study;
   study.Folder = path.parent_path();
-  study.Sweep = { StudySweep() };
-  if (document && FindMember(*document, "meshes"))
-  {
-    study.Sweep.clear();
-  }
+  study.Sweep = { UndecidedSweep() };
   ReadFields(StudyFields(), json, place, study);
   // After the keys, because a mistyped one is the likelier slip.
   CheckHasSource(*document, place);
   if (study.Name.empty())
   {
     study.Name = path.stem().string();
-  }
-  if (study.Polygons.empty() && !HasMeshFiles(study) && !FindMember(*document, "sweep"))
-  {
-    study.Sweep.front().To = 0.0; // nothing deforms
-    study.Sweep.front().Count = 1;
   }
   return study;
 }
@@ -153,21 +101,9 @@ std::string ApplySetting(std::string_view text, std::string_view setting)
     throw std::runtime_error(
       "The setting \"" + shown + "\" is not PATH=VALUE, for example mesh.min-angle=25.");
   }
-  const std::vector<std::string> keys = SplitPath(setting.substr(0, equals));
-  constexpr std::size_t deepest = 32;
-  if (keys.size() > deepest || std::find(keys.begin(), keys.end(), "") != keys.end())
-  {
-    throw std::runtime_error("The setting \"" + shown +
-      "\" has no proper path before the equals sign: write it like mesh.min-angle=25 or "
-      "polygons[0].scale=0.5.");
-  }
   JsonValue json = ParseJson(text, "study");
-  JsonValue* value = &json;
-  for (const std::string& key : keys)
-  {
-    value = &Descend(*value, key, shown);
-  }
-  *value = ParseSettingValue(setting.substr(equals + 1), shown);
+  SetAtPath(json, setting.substr(0, equals), ParseSettingValue(setting.substr(equals + 1), shown),
+    "The setting \"" + shown + "\"");
   return FormatJson(json);
 }
 

@@ -36,8 +36,9 @@ PEMESHIOSTUDY_EXPORT std::string FormatStudy(const Study& study);
 
 /**
  * Changes one value of a document (the text of any JSON file) and returns the new text: `setting`
- * is "mesh.min-angle=25", "polygons.0.scale=0.5" or "polygons[0].scale=0.5". What follows the
- * equals sign is JSON if it can be read as such, else a text. Missing objects are made on the way.
+ * is "mesh.min-angle=25", "polygons[0].scale=0.5", or "polygons[*].scale=0.5" for all of them. What
+ * follows the equals sign is JSON if it can be read as such, else a text. Missing objects are made
+ * on the way.
  */
 PEMESHIOSTUDY_EXPORT std::string ApplySetting(std::string_view text, std::string_view setting);
 

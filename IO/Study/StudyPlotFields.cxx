@@ -93,8 +93,8 @@ FieldTable<StudyPlot> PlotFields()
   table.Fields = { ChoiceField("kind", &StudyPlot::Kind, { "line", "scatter", "mesh", "overview" },
                      "Line and scatter charts of the results, one mesh, or all of it side by side.")
                      .Required(),
-    TextField(
-      "x", &StudyPlot::X, "A column of the results; by default t, or Index where t is not swept.")
+    TextField("x", &StudyPlot::X,
+      "A column of the results; by default the first swept parameter, or else Index.")
       .Only(HasAxes, "the kinds line, scatter and overview"),
     OrdinatesField(), LogarithmField(),
     TextField("color-by", &StudyPlot::ColorBy,
@@ -119,7 +119,7 @@ void FinishPlots(const DocumentPlace& place, Study& study)
     StudyPlot& plot = study.Plots[i];
     if (HasAxes(plot) && plot.X.empty())
     {
-      plot.X = study.Sweep.empty() ? "Index" : study.Sweep.front().Parameter;
+      plot.X = study.Sweep.empty() ? "Index" : study.Sweep.front().Name;
     }
     if (!plot.File.empty() && !taken.insert(plot.File).second)
     {

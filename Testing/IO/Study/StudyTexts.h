@@ -6,9 +6,29 @@
 #ifndef pemesh_StudyTexts_h
 #define pemesh_StudyTexts_h
 
+#include "StudySweeps.h"
+
 #include <functional>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+/** The values of t of all cases. */
+inline std::vector<double> TimesOf(const pemesh::Study& study)
+{
+  std::vector<double> times;
+  for (const std::vector<pemesh::SweptValue>& values : pemesh::SweepCases(study))
+  {
+    for (const pemesh::SweptValue& value : values)
+    {
+      if (value.Parameter == "t")
+      {
+        times.push_back(pemesh::ScalarToNumber(value.Value));
+      }
+    }
+  }
+  return times;
+}
 
 /** Every key that a study which makes its meshes can have. */
 inline const char* FullStudy = R"({

@@ -3,6 +3,7 @@
 #include "PolygonFamilies.h"
 #include "SolverDescriptionFile.h"
 #include "StudyFile.h"
+#include "StudyTexts.h"
 
 #include <gtest/gtest.h>
 
@@ -107,7 +108,7 @@ TEST(ExampleStudies, QuickstartIsWhatTheReadmePromises)
   ASSERT_EQ(study.Polygons.size(), 2u);
   EXPECT_EQ(study.Polygons[0].Family, "comb");
   EXPECT_EQ(study.Polygons[1].Family, "star");
-  const std::vector<double> times = pemesh::StudyTimes(study);
+  const std::vector<double> times = TimesOf(study);
   ASSERT_EQ(times.size(), 20u);
   EXPECT_EQ(times.back(), 0.9);
   EXPECT_FALSE(study.Metrics);

@@ -36,7 +36,7 @@ TEST(StudyFile, ReadsEveryKey)
   EXPECT_EQ(comb.To, 0.95);
   EXPECT_EQ(study.Polygons[1].Count, 9);
   EXPECT_EQ(study.Polygons[2].Count, 0);
-  EXPECT_EQ(pemesh::StudyTimes(study), (std::vector<double>{ 0.25, 0.5, 0.75 }));
+  EXPECT_EQ(TimesOf(study), (std::vector<double>{ 0.25, 0.5, 0.75 }));
   EXPECT_EQ(study.Mesh.MaximumArea.Rule, "constant");
   EXPECT_EQ(study.Mesh.MaximumArea.Value, 0.01);
   EXPECT_EQ(study.Mesh.MinimumAngle, 25.5);
@@ -74,7 +74,7 @@ TEST(StudyFile, DefaultsOfAShortStudy)
   EXPECT_EQ(study.Polygons[0].Count, 40) << "the family's own";
   EXPECT_EQ(study.Polygons[0].Scale, 1.0);
   EXPECT_EQ(study.Polygons[0].To, 1.0);
-  const std::vector<double> times = pemesh::StudyTimes(study);
+  const std::vector<double> times = TimesOf(study);
   ASSERT_EQ(times.size(), 20u);
   EXPECT_EQ(times.front(), 0.0);
   EXPECT_EQ(times[9], 9 * 0.9 / 19);
@@ -95,7 +95,7 @@ TEST(StudyFile, StudyOfMeshFiles)
   EXPECT_TRUE(pemesh::HasMeshFiles(one));
   EXPECT_EQ(one.Meshes, std::vector<std::string>{ "a/*.off" });
   EXPECT_TRUE(one.Sweep.empty());
-  EXPECT_TRUE(pemesh::StudyTimes(one).empty());
+  EXPECT_TRUE(TimesOf(one).empty());
   EXPECT_EQ(one.Plots[0].X, "Index");
   const Study two = ParseStudy(R"({"pemesh": 1, "meshes": ["a.off", "b.obj"]})", "s.json");
   EXPECT_EQ(two.Meshes.size(), 2u);
@@ -108,7 +108,7 @@ TEST(StudyFile, StudyOfMeshFiles)
 TEST(StudyFile, BareSquareIsOneMesh)
 {
   const Study study = ParseStudy(R"({"pemesh": 1, "polygons": []})", "s.json");
-  EXPECT_EQ(pemesh::StudyTimes(study), std::vector<double>{ 0.0 });
+  EXPECT_TRUE(study.Sweep.empty());
   EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
 }
 
@@ -117,11 +117,11 @@ TEST(StudyFile, ListsOfTimes)
   const Study study = ParseStudy(
     R"({"pemesh": 1, "polygons": [{"family": "zeta"}], "sweep": [{"values": [0.5, 0, 1]}]})",
     "s.json");
-  EXPECT_EQ(pemesh::StudyTimes(study), (std::vector<double>{ 0.5, 0.0, 1.0 }));
+  EXPECT_EQ(TimesOf(study), (std::vector<double>{ 0.5, 0.0, 1.0 }));
   EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
   const Study still =
     ParseStudy(R"({"pemesh": 1, "polygons": [{"family": "zeta"}], "sweep": []})", "s.json");
-  EXPECT_EQ(pemesh::StudyTimes(still), std::vector<double>{ 0.0 });
+  EXPECT_TRUE(still.Sweep.empty());
   EXPECT_EQ(ParseStudy(FormatStudy(still), "s.json"), still);
 }
 
@@ -160,7 +160,17 @@ TEST(StudyFile, FormattingWritesEveryDefault)
       "to": 1
     }
   ],
-  "sweep": [{"parameter": "t", "from": 0, "to": 0.9, "count": 20}],
+  "sweep": [
+    {
+      "parameter": "t",
+      "name": "t",
+      "from": 0,
+      "to": 0.9,
+      "count": 20,
+      "spacing": "linear",
+      "zip": false
+    }
+  ],
   "mesh": {"max-area": {"rule": "diagonal"}, "min-angle": 20, "preserve-polygons": false},
   "metrics": "all",
   "solvers": [],
@@ -243,7 +253,7 @@ TEST(StudyFile, FiguresAreNamed)
   }
   EXPECT_EQ(files,
     (std::vector<std::string>{
-      "line-a_b-vs-t.png", "line-a_b-vs-t-2.png", "mesh-2.png", "mesh.png", "m.pdf" }));
+      "line-a_b-vs-Index.png", "line-a_b-vs-Index-2.png", "mesh-2.png", "mesh.png", "m.pdf" }));
 }
 
 TEST(StudyFile, ReadsAFile)

@@ -122,8 +122,9 @@ TEST(StudyMessages, OfTheMesh)
 TEST(StudyMessages, OfTheSweep)
 {
   EXPECT_EQ(ComplaintAbout(Polygons(R"("sweep": [{"parameter": "order"}])")),
-    "\"s.json\": sweep[0].parameter is \"order\"; only \"t\", the deformation of the polygons, can "
-    "be swept so far.");
+    "\"s.json\": sweep[0].parameter is \"order\", which cannot be swept; sweep t, or a value by "
+    "its "
+    "path, such as \"mesh.min-angle\" (it begins with domain, polygons, scatter, mesh, solvers).");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("sweep": [{"count": 0}])")),
     "\"s.json\": sweep[0].count is 0; it must be between 1 and 10000000.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("sweep": [{"from": 0.5, "to": 0.2}])")),

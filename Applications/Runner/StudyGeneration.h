@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * The part of a pipeline that makes the meshes of a study, or reads them.
+ *
+ *     polygon layout -> domain mesher \
+ *     mesh reader --------------------/
+ */
+#ifndef pemesh_StudyGeneration_h
+#define pemesh_StudyGeneration_h
+
+#include <vector>
+
+#include <vtkNew.h> // For the filters
+
+class vtkAlgorithm;
+class vtkPEMDomainMesher;
+class vtkPEMMeshReader;
+class vtkPEMPolygonLayout;
+
+namespace pemesh
+{
+
+struct Study;
+
+class StudyGeneration
+{
+public:
+  StudyGeneration();
+  ~StudyGeneration();
+
+  /** All filters that may be part of it. */
+  std::vector<vtkAlgorithm*> GetFilters();
+
+  /**
+   * Sets what the study says, and connects what it needs; answers with the last filter. What does
+   * not change stays up to date.
+   */
+  vtkAlgorithm* Configure(const Study& study);
+
+private:
+  vtkAlgorithm* ConfigureReader(const Study& study);
+  vtkAlgorithm* ConfigureMesher(const Study& study);
+
+  vtkNew<vtkPEMMeshReader> Reader;
+  vtkNew<vtkPEMPolygonLayout> Layout;
+  vtkNew<vtkPEMDomainMesher> Mesher;
+};
+
+} // namespace pemesh
+
+#endif

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "DocumentPath.h"
+
+#include "DocumentFields.h"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr const char* EveryItem = "*";
+
+struct PathSetter
+{
+  const JsonValue& Value;
+  const std::string& Shown;
+
+  void SetItems(
+    JsonValue::List& list, const std::string& key, std::span<const std::string> rest) const
+  {
+    if (key == EveryItem)
+    {
+      for (JsonValue& item : list)
+      {
+        this->Set(item, rest);
+      }
+      return;
+    }
+    const std::optional<long long> index = ParseInteger(key);
+    if (!index || *index < 0 || static_cast<std::size_t>(*index) >= list.size())
+    {
+      throw std::runtime_error(this->Shown + " names item \"" + key + "\" of a list of " +
+        std::to_string(list.size()) + ": items count from 0.");
+    }
+    this->Set(list[static_cast<std::size_t>(*index)], rest);
+  }
+
+  void Set(JsonValue& target, std::span<const std::string> keys) const
+  {
+    if (keys.empty())
+    {
+      target = this->Value;
+      return;
+    }
+    const std::string& key = keys.front();
+    if (auto* list = target.As<JsonValue::List>())
+    {
+      this->SetItems(*list, key, keys.subspan(1));
+      return;
+    }
+    auto* object = target.As<JsonValue::Object>();
+    if (!object)
+    {
+      throw std::runtime_error(this->Shown + " looks for \"" + key + "\" in " + ShowValue(target) +
+        ", which has no members.");
+    }
+    JsonValue* member = FindMember(*object, key);
+    this->Set(
+      member ? *member : object->emplace_back(JsonMember{ key, { JsonValue::Object() } }).Value,
+      keys.subspan(1));
+  }
+};
+
+} // namespace
+
+std::vector<std::string> SplitDocumentPath(std::string_view path)
+{
+  std::vector<std::string> keys(1);
+  for (const char c : path)
+  {
+    if (c == '.' || c == '[')
+    {
+      keys.emplace_back();
+    }
+    else if (c != ']')
+    {
+      keys.back() += c;
+    }
+  }
+  return keys;
+}
+
+void SetAtPath(
+  JsonValue& document, std::string_view path, const JsonValue& value, const std::string& shown)
+{
+  const std::vector<std::string> keys = SplitDocumentPath(path);
+  constexpr std::size_t deepest = 32;
+  if (keys.size() > deepest || std::find(keys.begin(), keys.end(), "") != keys.end())
+  {
+    throw std::runtime_error(shown +
+      " has no proper path: write it like mesh.min-angle, polygons[0].scale or "
+      "polygons[*].scale.");
+  }
+  PathSetter{ value, shown }.Set(document, keys);
+}
+
+} // namespace pemesh
