@@ -19,8 +19,11 @@ namespace pemesh
 /** run, generate, solve: what the Runner does. */
 void AddStudyCommands(CLI::App& program, int& exitCode);
 
-/** metrics, render: one mesh after the other. */
-void AddMeshCommands(CLI::App& program, int& exitCode);
+/** metrics: mesh files, one after the other. */
+void AddMetricsCommand(CLI::App& program, int& exitCode);
+
+/** render: mesh files, side by side. */
+void AddRenderCommand(CLI::App& program, int& exitCode);
 
 /** correlate, plot: what is done with a table. */
 void AddTableCommands(CLI::App& program, int& exitCode);

@@ -24,7 +24,8 @@ int RunProgram(int argc, char** argv)
 
   int exitCode = pemesh::AllDone;
   pemesh::AddStudyCommands(program, exitCode);
-  pemesh::AddMeshCommands(program, exitCode);
+  pemesh::AddMetricsCommand(program, exitCode);
+  pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 

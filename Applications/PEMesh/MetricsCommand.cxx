@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * metrics and render: mesh files, one after the other.
+ * metrics: mesh files, measured one after the other.
  */
 #include "CaseStatus.h"
-#include "ColumnLabels.h"
 #include "Commands.h"
 #include "CsvTable.h"
 #include "MetricRegistry.h"
-#include "ResultPanels.h"
 #include "TableRows.h"
 #include "Terminal.h"
-#include "vtkPEMFigure.h"
 #include "vtkPEMMeshReader.h"
-#include "vtkPEMMeshView.h"
 #include "vtkPEMMetricSummary.h"
 #include "vtkPEMMetrics.h"
 
@@ -27,7 +23,6 @@
 #include <vtkCellData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
-#include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
@@ -46,17 +41,6 @@ struct MetricsArguments
   std::string Output;
   std::string Cells;
   std::vector<std::string> Only;
-};
-
-struct RenderArguments
-{
-  std::string Mesh;
-  std::string Output;
-  std::string ColorBy;
-  std::string Highlight = "none";
-  std::string Title;
-  bool Log = false;
-  double Width = 12.0;
 };
 
 void CheckMetricNames(const std::vector<std::string>& names)
@@ -137,53 +121,9 @@ int Measure(const MetricsArguments& arguments)
   return failures == 0 ? AllDone : PartFailed;
 }
 
-bool HasArray(vtkPolyData* mesh, const std::string& name)
-{
-  return mesh->GetCellData()->HasArray(name.c_str()) ||
-    mesh->GetPointData()->HasArray(name.c_str());
-}
-
-int Render(const RenderArguments& arguments)
-{
-  vtkNew<vtkPEMMeshReader> reader;
-  reader->SetFileName(arguments.Mesh);
-  vtkNew<vtkPEMMetrics> metrics;
-  metrics->SetInputConnection(reader->GetOutputPort());
-  reader->Update();
-  vtkPolyData* mesh = reader->GetOutput();
-  if (IsCaseFailed(mesh))
-  {
-    throw std::runtime_error(GetCaseStatusMessage(mesh));
-  }
-  if (!arguments.ColorBy.empty() && !HasArray(mesh, arguments.ColorBy) &&
-    FindMetric(arguments.ColorBy))
-  {
-    metrics->SetMetrics({ arguments.ColorBy });
-    metrics->Update();
-    mesh = metrics->GetOutput();
-  }
-  const auto view = MakeMeshView(mesh, arguments.ColorBy, ColumnLabels());
-  view->SetHighlightByName(arguments.Highlight);
-  view->SetLogColor(arguments.Log);
-  view->SetTitle(arguments.Title);
-  if (const std::string reason = view->WhyNotDrawable(); !reason.empty())
-  {
-    throw std::runtime_error(reason);
-  }
-  vtkNew<vtkPEMFigure> figure;
-  figure->AddPanel(view);
-  figure->SetSizeInCentimeters(arguments.Width, 0.0);
-  if (!figure->Write(arguments.Output))
-  {
-    return PartFailed; // it has said why
-  }
-  std::cout << arguments.Output << "\n";
-  return AllDone;
-}
-
 } // namespace
 
-void AddMeshCommands(CLI::App& program, int& exitCode)
+void AddMetricsCommand(CLI::App& program, int& exitCode)
 {
   auto measure = std::make_shared<MetricsArguments>();
   CLI::App* metrics = program.add_subcommand("metrics", "Measure mesh files: one row a mesh");
@@ -194,21 +134,6 @@ void AddMeshCommands(CLI::App& program, int& exitCode)
   metrics->add_option("--only", measure->Only, "Names of metrics, with commas (default: all)")
     ->delimiter(',');
   metrics->callback([measure, &exitCode] { exitCode = Measure(*measure); });
-
-  auto draw = std::make_shared<RenderArguments>();
-  CLI::App* render = program.add_subcommand("render", "Draw a mesh file");
-  render->add_option("MESH", draw->Mesh, "Mesh file")->required();
-  render->add_option("-o,--output", draw->Output, "Figure to write: .png, .svg or .pdf")
-    ->required();
-  render->add_option("--color-by", draw->ColorBy, "Metric, or array of the file");
-  render->add_option("--highlight", draw->Highlight, "Mark extreme elements")
-    ->check(CLI::IsMember({ "none", "min", "max", "both" }));
-  render->add_option("--title", draw->Title, "Title above the mesh");
-  render->add_flag("--log", draw->Log, "Logarithmic colours");
-  render->add_option("--width", draw->Width, "Width in centimetres")
-    ->capture_default_str()
-    ->check(CLI::Range(2.0, 200.0));
-  render->callback([draw, &exitCode] { exitCode = Render(*draw); });
 }
 
 } // namespace pemesh
