@@ -19,8 +19,6 @@ namespace pemesh
 namespace
 {
 
-const std::vector<Point2> UnitSquare = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } };
-
 std::string TooManyElements(const DomainMeshOptions& options, double expected)
 {
   std::string message =
@@ -33,10 +31,18 @@ std::string TooManyElements(const DomainMeshOptions& options, double expected)
   return message + "; choose a larger maximum area, a smaller minimum angle or a higher limit.";
 }
 
-/** Least number of triangles that the area bound asks for. */
-double LeastNumberOfTriangles(const std::vector<std::vector<Point2>>& polygons, double maximumArea)
+std::string TooThin(int loop, std::size_t numberOfPolygons)
 {
-  double area = 1.0;
+  const bool isPolygon = loop < static_cast<int>(numberOfPolygons);
+  return (isPolygon ? "Polygon " + std::to_string(loop + 1) : std::string("The domain")) +
+    " is too thin for its edges to be split in double precision; preserve them.";
+}
+
+/** Least number of triangles that the area bound asks for. */
+double LeastNumberOfTriangles(
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons, double maximumArea)
+{
+  double area = DomainArea(domain);
   for (const std::vector<Point2>& polygon : polygons)
   {
     area -= SignedArea(polygon);
@@ -52,71 +58,122 @@ double SmallestAngle(const Point2& a, const Point2& b, const Point2& c)
   return std::max(0.0, smallest) * 180.0 / std::numbers::pi;
 }
 
-/** The polygons as loops of vertices: along the segments, which have the polygon on their right. */
-void CollectPolygons(const RefinableTriangulation& triangulation,
-  const std::vector<std::vector<Point2>>& polygons, DomainMesh& mesh)
+using Loops = std::vector<std::vector<int>>;
+
+/**
+ * The given loops with the vertices that were added, counter-clockwise: polygons, holes, outer
+ * loop. Segments have the domain on their left, so around all but the last they run clockwise.
+ */
+Loops CollectLoops(
+  const RefinableTriangulation& triangulation, const std::vector<const std::vector<Point2>*>& given)
 {
-  std::vector<int> before(mesh.Points.size(), -1);
+  std::vector<int> next(triangulation.GetPoints().size(), -1);
   for (int i = 0; i < triangulation.NumberOfSegments(); ++i)
   {
     const RefinableTriangulation::Triangle& triangle =
       triangulation.GetTriangle(triangulation.GetSegment(i).Triangle);
     const int edge = triangulation.EdgeOfSegment(i);
-    before[triangle.Vertex[(edge + 2) % 3]] = triangle.Vertex[(edge + 1) % 3];
+    next[triangle.Vertex[(edge + 1) % 3]] = triangle.Vertex[(edge + 2) % 3];
   }
+  Loops loops;
   int first = 0;
-  for (const std::vector<Point2>& polygon : polygons)
+  for (const std::vector<Point2>* loop : given)
   {
-    std::vector<int> loop = { first };
-    for (int vertex = before[first]; vertex != first; vertex = before[vertex])
+    std::vector<int> vertices = { first };
+    for (int vertex = next[first]; vertex != first; vertex = next[vertex])
     {
-      loop.push_back(vertex);
+      vertices.push_back(vertex);
     }
-    mesh.Polygons.push_back(std::move(loop));
-    first += static_cast<int>(polygon.size());
+    if (loops.size() + 1 < given.size())
+    {
+      std::reverse(vertices.begin() + 1, vertices.end());
+    }
+    loops.push_back(std::move(vertices));
+    first += static_cast<int>(loop->size());
   }
+  return loops;
+}
+
+bool HasUprightAndLevelEdgesOnly(const std::vector<Point2>& loop)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point2& next = loop[(i + 1) % loop.size()];
+    if (loop[i].x != next.x && loop[i].y != next.y)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /**
- * Added vertices are as near to the polygon's edges as doubles can be, but not exactly on them:
- * polygons a few units in the last place thin could cross themselves. Empty if none does.
+ * Added vertices are as near to the given edges as doubles can be, but not exactly on them unless
+ * these are upright or level: loops a few units in the last place thin could cross themselves.
+ * The number of the first that does, or -1.
  */
-std::string FindSpoiltPolygon(
-  const DomainMesh& mesh, const std::vector<std::vector<Point2>>& polygons)
+int FindSpoiltLoop(const std::vector<Point2>& points, const Loops& loops,
+  const std::vector<const std::vector<Point2>*>& given)
 {
   std::vector<Point2> vertices;
-  for (std::size_t i = 0; i < polygons.size(); ++i)
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    const std::vector<int>& loop = mesh.Polygons[i];
-    if (loop.size() == polygons[i].size())
+    if (loops[i].size() == given[i]->size() || HasUprightAndLevelEdgesOnly(*given[i]))
     {
       continue;
     }
     vertices.clear();
-    std::transform(loop.begin(), loop.end(), std::back_inserter(vertices),
-      [&mesh](int vertex) { return mesh.Points[vertex]; });
+    std::transform(loops[i].begin(), loops[i].end(), std::back_inserter(vertices),
+      [&points](int vertex) { return points[vertex]; });
     if (!IsSimple(vertices) || PolygonOrientation(vertices) <= 0)
     {
-      return "Polygon " + std::to_string(i + 1) +
-        " is too thin for its edges to be split in double precision; preserve the polygons.";
+      return static_cast<int>(i);
     }
   }
-  return {};
+  return -1;
+}
+
+void FillElements(const RefinableTriangulation& triangulation, const Loops& loops,
+  std::size_t numberOfPolygons, DomainMesh& mesh)
+{
+  PolygonMesh& elements = mesh.Elements;
+  elements.Points = triangulation.GetPoints();
+  const std::size_t triangles = triangulation.GetTriangles().size();
+  elements.Offsets.reserve(numberOfPolygons + triangles + 1);
+  std::size_t sides = 3 * triangles;
+  for (std::size_t i = 0; i < numberOfPolygons; ++i)
+  {
+    sides += loops[i].size();
+  }
+  elements.Vertices.reserve(sides);
+  for (std::size_t i = 0; i < numberOfPolygons; ++i)
+  {
+    elements.AddElement(loops[i]);
+  }
+  mesh.AttainedMinimumAngle = 60.0;
+  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
+  {
+    const int* vertex = triangle.Vertex;
+    elements.AddElement({ vertex, 3 });
+    mesh.AttainedMinimumAngle = std::min(mesh.AttainedMinimumAngle,
+      SmallestAngle(
+        elements.Points[vertex[0]], elements.Points[vertex[1]], elements.Points[vertex[2]]));
+  }
 }
 
 } // namespace
 
-DomainMesh MeshDomain(
-  const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options)
+DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2>>& polygons,
+  const DomainMeshOptions& options)
 {
   DomainMesh mesh;
-  const double least = LeastNumberOfTriangles(polygons, options.MaximumArea);
+  const double least = LeastNumberOfTriangles(domain, polygons, options.MaximumArea);
   if (least > options.MaximumElements)
   {
     mesh.Message = TooManyElements(options, least);
     return mesh;
   }
-  const DomainBoundary boundary = MakeDomainBoundary(UnitSquare, polygons);
+  const DomainBoundary boundary = MakeDomainBoundary(domain, polygons);
   RefinableTriangulation triangulation = TriangulateDomain(boundary);
 
   RefinementOptions refinement;
@@ -124,8 +181,9 @@ DomainMesh MeshDomain(
   refinement.MaximumArea = options.MaximumArea;
   refinement.MaximumTriangles = options.MaximumElements;
   refinement.Progress = options.Progress;
-  refinement.Preserved.assign(boundary.Segments.size(), options.PreservePolygons);
-  std::fill(refinement.Preserved.end() - UnitSquare.size(), refinement.Preserved.end(), false);
+  refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
+  std::fill_n(
+    refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
   switch (RefineTriangulation(triangulation, boundary, refinement))
   {
     case RefinementOutcome::Done:
@@ -138,22 +196,23 @@ DomainMesh MeshDomain(
       return mesh;
   }
 
-  mesh.Points = triangulation.GetPoints();
-  CollectPolygons(triangulation, polygons, mesh);
-  mesh.Message = FindSpoiltPolygon(mesh, polygons);
-  if (!mesh.Message.empty())
+  std::vector<const std::vector<Point2>*> given;
+  for (const std::vector<std::vector<Point2>>* list : { &polygons, &domain.Holes })
   {
+    for (const std::vector<Point2>& loop : *list)
+    {
+      given.push_back(&loop);
+    }
+  }
+  given.push_back(&domain.Outer);
+  const Loops loops = CollectLoops(triangulation, given);
+  const int spoilt = FindSpoiltLoop(triangulation.GetPoints(), loops, given);
+  if (spoilt >= 0)
+  {
+    mesh.Message = TooThin(spoilt, polygons.size());
     return mesh;
   }
-  mesh.AttainedMinimumAngle = 60.0;
-  mesh.Triangles.reserve(triangulation.NumberOfTriangles());
-  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
-  {
-    const int* vertex = triangle.Vertex;
-    mesh.Triangles.push_back({ vertex[0], vertex[1], vertex[2] });
-    mesh.AttainedMinimumAngle = std::min(mesh.AttainedMinimumAngle,
-      SmallestAngle(mesh.Points[vertex[0]], mesh.Points[vertex[1]], mesh.Points[vertex[2]]));
-  }
+  FillElements(triangulation, loops, polygons.size(), mesh);
   mesh.Status = DomainMeshStatus::Done;
   return mesh;
 }

@@ -73,16 +73,33 @@ void InsertBoundary(const DomainBoundary& boundary, RepeatableTriangulation& tri
   }
 }
 
-/** Numbers the faces of the domain in the order in which a walk from the outer border meets them.
- */
-std::vector<Face> NumberDomainFaces(RepeatableTriangulation& triangulation)
+/** The face to the left of the last segment, which is one of the outer loop. */
+Face FindFaceInside(const DomainBoundary& boundary, const RepeatableTriangulation& triangulation)
+{
+  const InputSegment& segment = boundary.Segments.back();
+  for (const Face face : triangulation.finite_face_handles())
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (face->vertex(triangulation.ccw(edge))->info() == segment.From &&
+        face->vertex(triangulation.cw(edge))->info() == segment.To)
+      {
+        return face;
+      }
+    }
+  }
+  RefuseMeetingLoops();
+}
+
+/** Numbers the faces of the domain in the order in which a walk from the outer loop meets them. */
+std::vector<Face> NumberDomainFaces(
+  const DomainBoundary& boundary, RepeatableTriangulation& triangulation)
 {
   for (const Face face : triangulation.all_face_handles())
   {
     face->info() = NotInDomain;
   }
-  const Face outside = triangulation.infinite_face();
-  std::vector<Face> faces = { outside->neighbor(outside->index(triangulation.infinite_vertex())) };
+  std::vector<Face> faces = { FindFaceInside(boundary, triangulation) };
   faces[0]->info() = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -107,7 +124,7 @@ std::vector<Face> NumberDomainFaces(RepeatableTriangulation& triangulation)
 } // namespace
 
 DomainBoundary MakeDomainBoundary(
-  const std::vector<Point2>& outer, const std::vector<std::vector<Point2>>& holes)
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons)
 {
   DomainBoundary boundary;
   const auto add = [&boundary](const std::vector<Point2>& loop, bool reversed)
@@ -123,11 +140,16 @@ DomainBoundary MakeDomainBoundary(
       boundary.Before.push_back(reversed ? after : before);
     }
   };
-  for (const std::vector<Point2>& hole : holes)
+  for (const std::vector<Point2>& polygon : polygons)
+  {
+    add(polygon, true);
+  }
+  boundary.NumberOfPolygonSegments = static_cast<int>(boundary.Segments.size());
+  for (const std::vector<Point2>& hole : domain.Holes)
   {
     add(hole, true);
   }
-  add(outer, false);
+  add(domain.Outer, false);
   return boundary;
 }
 
@@ -138,7 +160,7 @@ RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary)
   try
   {
     InsertBoundary(boundary, triangulation);
-    faces = NumberDomainFaces(triangulation);
+    faces = NumberDomainFaces(boundary, triangulation);
   }
   catch (const RepeatableTriangulation::Intersection_of_constraints_exception&)
   {

@@ -6,6 +6,7 @@
 #ifndef pemesh_DomainTriangulation_h
 #define pemesh_DomainTriangulation_h
 
+#include "Domain.h"
 #include "Point2.h"
 #include "RefinableTriangulation.h"
 
@@ -29,18 +30,20 @@ struct DomainBoundary
 {
   std::vector<Point2> Points;
   std::vector<InputSegment> Segments;
-  std::vector<int> Before; ///< a vertex each: the segment that ends there
+  std::vector<int> Before;     ///< a vertex each: the segment that ends there
+  int NumberOfPolygonSegments; ///< the first ones; the others are those of the domain's own loops
 };
 
 /**
- * `outer` and all `holes` are simple, counter-clockwise and do not meet; holes lie in the outer
- * loop. Vertices of the holes come first, in their order, then those of the outer loop.
+ * The boundary of a domain less polygons, all counter-clockwise, that lie in it and do not meet
+ * each other or its loops. Vertices of the polygons come first, in their order, then those of the
+ * domain's holes, then those of its outer loop.
  */
 DomainBoundary MakeDomainBoundary(
-  const std::vector<Point2>& outer, const std::vector<std::vector<Point2>>& holes);
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons);
 
 /**
- * The constrained Delaunay triangulation of a domain whose outer loop is convex. Segment i of the
+ * The constrained Delaunay triangulation of what the boundary encloses. Segment i of the
  * triangulation is segment i of the boundary. Throws std::runtime_error if loops meet.
  */
 RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary);
