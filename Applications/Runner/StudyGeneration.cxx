@@ -3,6 +3,7 @@
 #include "StudyGeneration.h"
 
 #include "Study.h"
+#include "vtkPEMDomain.h"
 #include "vtkPEMDomainMesher.h"
 #include "vtkPEMMeshReader.h"
 #include "vtkPEMPolygonLayout.h"
@@ -40,7 +41,7 @@ StudyGeneration::~StudyGeneration() = default;
 
 std::vector<vtkAlgorithm*> StudyGeneration::GetFilters()
 {
-  return { this->Reader, this->Layout, this->Mesher };
+  return { this->Reader, this->Domain, this->Layout, this->Mesher };
 }
 
 vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
@@ -54,11 +55,24 @@ vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
   return this->Reader;
 }
 
+void StudyGeneration::ConfigureDomain(const Study& study)
+{
+  this->Domain->SetShapeByName(study.Domain.Shape);
+  for (const auto& [name, value] : study.Domain.Parameters)
+  {
+    this->Domain->SetParameter(name, value);
+  }
+  this->Domain->SetFileName(
+    study.Domain.File.empty() ? "" : (study.Folder / study.Domain.File).string());
+}
+
 vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
 {
   const StudyMesh& mesh = study.Mesh;
   ConfigureLayout(study, this->Layout);
-  this->Mesher->SetInputConnection(this->Layout->GetOutputPort());
+  this->ConfigureDomain(study);
+  this->Mesher->SetInputConnection(0, this->Layout->GetOutputPort());
+  this->Mesher->SetInputConnection(1, this->Domain->GetOutputPort());
   this->Mesher->SetAreaRuleByName(mesh.MaximumArea.Rule);
   if (this->Mesher->GetAreaRule() == vtkPEMDomainMesher::AREA_CONSTANT)
   {
@@ -66,6 +80,7 @@ vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
   }
   this->Mesher->SetMinimumAngle(mesh.MinimumAngle);
   this->Mesher->SetPreservePolygons(mesh.PreservePolygons);
+  this->Mesher->SetPreserveDomain(mesh.PreserveDomain);
   return this->Mesher;
 }
 

@@ -14,6 +14,7 @@
 #include <vtkNew.h> // For the filters
 
 class vtkAlgorithm;
+class vtkPEMDomain;
 class vtkPEMDomainMesher;
 class vtkPEMMeshReader;
 class vtkPEMPolygonLayout;
@@ -40,9 +41,11 @@ public:
 
 private:
   vtkAlgorithm* ConfigureReader(const Study& study);
+  void ConfigureDomain(const Study& study);
   vtkAlgorithm* ConfigureMesher(const Study& study);
 
   vtkNew<vtkPEMMeshReader> Reader;
+  vtkNew<vtkPEMDomain> Domain;
   vtkNew<vtkPEMPolygonLayout> Layout;
   vtkNew<vtkPEMDomainMesher> Mesher;
 };

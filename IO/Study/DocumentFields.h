@@ -36,6 +36,8 @@ struct Field
   std::function<void(const JsonValue&, const DocumentPlace&, Owner&)> Read;
   std::function<std::optional<JsonValue>(const Owner&)> Write; // nothing: leave the key out
   std::function<void(std::string& text, const std::string& path)> DescribeParts = {};
+  // What to do where the key is left out, if its parts need more than the initial values.
+  std::function<void(const DocumentPlace&, Owner&)> ReadMissing = {};
   bool IsRequired = false;
   // A key may depend on the value of one that stands before it in the table.
   std::function<bool(const Owner&)> Applies = {};
@@ -315,7 +317,9 @@ Field<Owner> ObjectField(const std::string& key, Part Owner::*member, const Fiel
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { ReadFields(parts, json, place, owner.*member); },
     [=](const Owner& owner) { return WriteFields(parts, owner.*member); },
-    [=](std::string& text, const std::string& path) { DescribeFields(parts, path, text); } };
+    [=](std::string& text, const std::string& path) { DescribeFields(parts, path, text); },
+    [=](const DocumentPlace& place, Owner& owner)
+    { ReadFields(parts, JsonValue{ JsonValue::Object() }, place, owner.*member); } };
 }
 
 template <typename Owner, typename Item>
@@ -380,6 +384,10 @@ void ReadFields(
     const JsonValue* value = FindMember(*object, field.Key);
     if (value && !field.IsFor(owner))
     {
+      if (place.IsForgiving())
+      {
+        continue;
+      }
       place.Member(field.Key).Fail("does not apply here: it is a key of " + field.AppliesTo + ".");
     }
     if (value)
@@ -389,6 +397,10 @@ void ReadFields(
     else if (field.IsRequired && field.IsFor(owner))
     {
       place.Member(field.Key).Fail("is missing (" + field.Type + ").");
+    }
+    else if (field.ReadMissing && field.IsFor(owner))
+    {
+      field.ReadMissing(place.Member(field.Key), owner);
     }
   }
   for (const JsonMember& member : *object)

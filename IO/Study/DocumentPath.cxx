@@ -67,6 +67,26 @@ struct PathSetter
   }
 };
 
+bool HasKeys(const JsonValue& value, std::span<const std::string> keys)
+{
+  if (keys.empty())
+  {
+    return true;
+  }
+  if (const auto* list = value.As<JsonValue::List>())
+  {
+    const std::optional<long long> index = ParseInteger(keys.front());
+    const auto has = [&](const JsonValue& item) { return HasKeys(item, keys.subspan(1)); };
+    return keys.front() == EveryItem
+      ? std::all_of(list->begin(), list->end(), has)
+      : index && *index >= 0 && static_cast<std::size_t>(*index) < list->size() &&
+        has((*list)[static_cast<std::size_t>(*index)]);
+  }
+  const auto* object = value.As<JsonValue::Object>();
+  const JsonValue* member = object ? FindMember(*object, keys.front()) : nullptr;
+  return member && HasKeys(*member, keys.subspan(1));
+}
+
 } // namespace
 
 std::vector<std::string> SplitDocumentPath(std::string_view path)
@@ -98,6 +118,11 @@ void SetAtPath(
       "polygons[*].scale.");
   }
   PathSetter{ value, shown }.Set(document, keys);
+}
+
+bool HasPath(const JsonValue& document, std::string_view path)
+{
+  return HasKeys(document, SplitDocumentPath(path));
 }
 
 } // namespace pemesh

@@ -27,6 +27,9 @@ std::vector<std::string> SplitDocumentPath(std::string_view path);
 void SetAtPath(
   JsonValue& document, std::string_view path, const JsonValue& value, const std::string& shown);
 
+/** Whether the document has the value, or all values, of a path. */
+bool HasPath(const JsonValue& document, std::string_view path);
+
 } // namespace pemesh
 
 #endif

@@ -22,13 +22,19 @@ public:
 
   DocumentPlace Member(const std::string& key) const
   {
-    return { this->Source, this->Path.empty() ? key : this->Path + "." + key };
+    return this->At(this->Path.empty() ? key : this->Path + "." + key);
   }
 
   DocumentPlace Item(std::size_t index) const
   {
-    return { this->Source, this->Path + "[" + std::to_string(index) + "]" };
+    return this->At(this->Path + "[" + std::to_string(index) + "]");
   }
+
+  ///@{
+  /** Whether keys that do not apply where they stand are passed over instead of refused. */
+  void SetForgiving(bool forgiving) { this->Forgiving = forgiving; }
+  bool IsForgiving() const { return this->Forgiving; }
+  ///@}
 
   /** "\"study.json\": mesh.min-angle " + what; `what` ends the sentence. */
   [[noreturn]] void Fail(const std::string& what) const
@@ -38,14 +44,16 @@ public:
   }
 
 private:
-  DocumentPlace(const std::string& source, const std::string& path)
-    : Source(source)
-    , Path(path)
+  DocumentPlace At(const std::string& path) const
   {
+    DocumentPlace place = *this;
+    place.Path = path;
+    return place;
   }
 
   std::string Source;
   std::string Path;
+  bool Forgiving = false;
 };
 
 } // namespace pemesh

@@ -243,8 +243,8 @@ JsonValue* FindMember(JsonValue::Object& object, std::string_view key)
 
 JsonValue JsonNumber(double value)
 {
-  constexpr double largest = 1e15;
-  if (std::fabs(value) < largest && value == std::trunc(value))
+  constexpr double largest = 0x1p53; // up to which doubles hold every integer
+  if (std::fabs(value) <= largest && value == std::trunc(value))
   {
     return { static_cast<std::int64_t>(value) };
   }

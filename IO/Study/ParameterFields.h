@@ -11,6 +11,7 @@
 #include "Parameter.h"
 #include "Study.h"
 
+#include <cctype>
 #include <map>
 #include <span>
 #include <string>
@@ -93,7 +94,8 @@ Field<Owner> ParameterField(const std::string& key, const std::vector<Parameteri
     const std::size_t dot = what.find(". ");
     type += (type.empty() ? "" : "; ") + what.substr(0, dot) +
       (ownersOf.size() > 1 ? " (" + owners + ")" : "");
-    const std::string sentence = what.substr(dot + 2) + ".";
+    std::string sentence = what.substr(dot + 2) + ".";
+    sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
     doc += doc.find(sentence) == std::string::npos ? (doc.empty() ? "" : " ") + sentence : "";
   }
   Field<Owner> field{ key, type, doc,

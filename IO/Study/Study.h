@@ -67,14 +67,64 @@ struct StudyMaximumArea
   bool operator==(const StudyMaximumArea&) const = default;
 };
 
-/** How the domain around the polygons is meshed. */
+/** Parameters of an entry of a table by name; all of them after reading. */
+using StudyParameters = std::vector<std::pair<std::string, double>>;
+
+/** The region that is meshed. */
+struct StudyDomain
+{
+  std::string Shape = "rectangle"; // a name of the table of shapes, or file
+  StudyParameters Parameters;      // of the shape
+  std::string File;                // of the shape file: its loops
+  bool operator==(const StudyDomain&) const = default;
+};
+
+/** A number that every mesh of the study is to have, whatever is swept. */
+struct StudyTarget
+{
+  std::string Quantity = "none"; // none | elements | vertices | dofs
+  int Value = 0;
+  int Order = 1; // of the method whose degrees of freedom are counted
+  bool operator==(const StudyTarget&) const = default;
+};
+
+/** How elements are merged. */
+struct StudyAgglomeration
+{
+  std::string Rule = "none";  // none, or a name of the table of rules
+  StudyParameters Parameters; // of the rule
+  std::string Metric;
+  int Elements = 0;        // where to stop; 0 = see Percentage
+  double Percentage = 0.0; // of the elements; 0 = the rule's own
+  bool KeepPolygons = true;
+  bool RemoveStraightVertices = false;
+  bool operator==(const StudyAgglomeration&) const = default;
+};
+
+/** How the domain is meshed. */
 struct StudyMesh
 {
+  std::string Source =
+    "triangulation";          // around the polygons, or a name of the table of tessellations
+  StudyParameters Parameters; // of the tessellation
   StudyMaximumArea MaximumArea;
   double MinimumAngle = 20.0; // degrees
   bool PreservePolygons = false;
+  bool PreserveDomain = false;
+  double Gradation = 0.0;      // growth of the edges away from the polygons; 0 = none
+  double SizeAtPolygons = 0.0; // 0 = that of the polygon's edges
+  StudyTarget Target;
+  int Mirror = 0;                  // times
+  std::array<int, 2> Tile{ 1, 1 }; // copies along x and y
+  StudyAgglomeration Agglomeration;
   bool operator==(const StudyMesh&) const = default;
 };
+
+/** True for a mesh made by triangulating the domain around placed polygons. */
+inline bool IsTriangulated(const StudyMesh& mesh)
+{
+  return mesh.Source == "triangulation";
+}
 
 /** One run of a solver on every mesh. */
 struct StudySolver
@@ -116,6 +166,7 @@ struct Study
   std::vector<StudyPolygon> Polygons;
   std::vector<std::string> Meshes; // files and globs, relative to Folder; not empty = no Polygons
   std::vector<StudySweep> Sweep;
+  StudyDomain Domain;
   StudyMesh Mesh;
   std::optional<std::vector<std::string>> Metrics; // unset = all
   std::vector<StudySolver> Solvers;

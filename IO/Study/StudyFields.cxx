@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyFields.h"
 
-#include "AreaRules.h"
 #include "MeshFormats.h"
 #include "MetricRegistry.h"
 
@@ -15,33 +14,6 @@ namespace
 {
 
 constexpr const char* AllMetrics = "all";
-
-// --- mesh ----------------------------------------------------------------------------------------
-
-FieldTable<StudyMaximumArea> MaximumAreaFields()
-{
-  const auto isConstant = [](const StudyMaximumArea& area) { return area.Rule == "constant"; };
-  FieldTable<StudyMaximumArea> table;
-  table.Fields = { ChoiceField("rule", &StudyMaximumArea::Rule, NamesOf(AreaRules()),
-                     "What bounds the area of the triangles around the polygons."),
-    NumberField("value", &StudyMaximumArea::Value, { .Least = 0.0, .ExcludesLeast = true },
-      "The bound itself.")
-      .Required()
-      .Only(isConstant, "the rule constant") };
-  return table;
-}
-
-FieldTable<StudyMesh> MeshFields()
-{
-  FieldTable<StudyMesh> table;
-  table.Fields = { ObjectField("max-area", &StudyMesh::MaximumArea, MaximumAreaFields(),
-                     "Bound on the area of the triangles."),
-    NumberField("min-angle", &StudyMesh::MinimumAngle, { 0.0, 33.0 },
-      "Degrees; above 33 refinement may never end."),
-    BooleanField("preserve-polygons", &StudyMesh::PreservePolygons,
-      "Whether the edges of the polygons may not be split.") };
-  return table;
-}
 
 // --- metrics -------------------------------------------------------------------------------------
 
@@ -103,7 +75,8 @@ FieldTable<StudyOutput> OutputFields()
 
 Field<Study> VersionField()
 {
-  return { "pemesh", "the number " + std::to_string(StudyVersion), "Version of the document.",
+  Field<Study> field{ "pemesh", "the number " + std::to_string(StudyVersion),
+    "Version of the document.",
     [](const JsonValue& json, const DocumentPlace& place, Study& study)
     {
       const double version = ReadNumber(json, place, {});
@@ -114,7 +87,8 @@ Field<Study> VersionField()
       }
       study.Version = StudyVersion;
     },
-    [](const Study& study) { return JsonValue{ std::int64_t{ study.Version } }; }, {}, true };
+    [](const Study& study) { return JsonValue{ std::int64_t{ study.Version } }; } };
+  return std::move(field).Required();
 }
 
 Field<Study> NameField()
@@ -154,16 +128,18 @@ const FieldTable<Study>& StudyFields()
   static const FieldTable<Study> table = []
   {
     const auto makesMeshes = [](const Study& study) { return !HasMeshFiles(study); };
-    const std::string which = "a study with polygons, not with mesh files";
+    const std::string which = "a study that makes its meshes, not of mesh files";
     FieldTable<Study> result;
     Field<Study> meshes = MeshesField();
     result.Fields = { VersionField(),
       TextField("written-by", &Study::WrittenBy, "The program that wrote the document."),
       NameField(), std::move(meshes),
+      ObjectField("domain", &Study::Domain, DomainFields(), "The region that is meshed.")
+        .Only(makesMeshes, which),
       ListField("polygons", &Study::Polygons, PolygonFields(), "The placed polygons.")
         .Only(makesMeshes, which),
       ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh."),
-      ObjectField("mesh", &Study::Mesh, MeshFields(), "How the domain around them is meshed.")
+      ObjectField("mesh", &Study::Mesh, MeshFields(), "How the domain is meshed.")
         .Only(makesMeshes, which),
       MetricsField(),
       ListField("solvers", &Study::Solvers, SolverFields(), "Runs of solvers on every mesh."),

@@ -26,6 +26,8 @@ const FieldTable<Study>& StudyFields();
 /** Its larger parts. */
 FieldTable<StudyPolygon> PolygonFields();
 FieldTable<StudySweep> SweepFields();
+FieldTable<StudyDomain> DomainFields();
+FieldTable<StudyMesh> MeshFields();
 FieldTable<StudySolver> SolverFields();
 FieldTable<StudyPlot> PlotFields();
 ///@}

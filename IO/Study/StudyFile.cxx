@@ -115,6 +115,10 @@ Study MoveStudy(const Study& study, const fs::path& folder)
   {
     pattern = MovePath(pattern, study.Folder, folder);
   }
+  if (!moved.Domain.File.empty())
+  {
+    moved.Domain.File = MovePath(moved.Domain.File, study.Folder, folder);
+  }
   for (StudySolver& solver : moved.Solvers)
   {
     if (fs::path(solver.Solver).extension() == ".json")

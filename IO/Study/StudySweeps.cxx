@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace pemesh
 {
@@ -56,6 +57,21 @@ std::vector<SweepGroup> GroupSweeps(const Study& study)
     groups.back().Values.push_back(SweepValues(sweep));
   }
   return groups;
+}
+
+/** A swept key that does not apply would change nothing, unsaid. */
+void CheckValuesCount(
+  const Study& study, const std::vector<SweptValue>& values, const std::string& source)
+{
+  const JsonValue document = WriteFields(StudyFields(), study);
+  for (const SweptValue& value : values)
+  {
+    if (value.Parameter != DeformationParameter && !HasPath(document, value.Parameter))
+    {
+      throw std::runtime_error(
+        "The " + source + " would change nothing: " + value.Parameter + " does not apply there.");
+    }
+  }
 }
 
 } // namespace
@@ -127,9 +143,13 @@ Study MakeStudyOfCase(const Study& study, const std::vector<SweptValue>& values)
       SetAtPath(document, value.Parameter, ToJson(value.Value), "The " + source);
     }
   }
+  // A swept choice, say of the source, leaves behind keys that belong to another one.
+  DocumentPlace place(source);
+  place.SetForgiving(true);
   Study result;
   result.Folder = study.Folder;
-  ReadFields(StudyFields(), document, DocumentPlace(source), result);
+  ReadFields(StudyFields(), document, place, result);
+  CheckValuesCount(result, values, source);
   return result;
 }
 

@@ -140,6 +140,7 @@ TEST(StudyFile, FormattingWritesEveryDefault)
   EXPECT_EQ(FormatStudy(study), R"({
   "pemesh": 1,
   "name": "s",
+  "domain": {"shape": "rectangle", "width": 1, "height": 1},
   "polygons": [
     {
       "family": "comb",
@@ -171,7 +172,16 @@ TEST(StudyFile, FormattingWritesEveryDefault)
       "zip": false
     }
   ],
-  "mesh": {"max-area": {"rule": "diagonal"}, "min-angle": 20, "preserve-polygons": false},
+  "mesh": {
+    "max-area": {"rule": "diagonal"},
+    "min-angle": 20,
+    "preserve-polygons": false,
+    "preserve-domain": false,
+    "target": {"quantity": "none"},
+    "mirror": 0,
+    "tile": [1, 1],
+    "agglomerate": {"rule": "none"}
+  },
   "metrics": "all",
   "solvers": [],
   "plots": [],

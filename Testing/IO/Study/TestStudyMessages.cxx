@@ -113,8 +113,8 @@ TEST(StudyMessages, OfTheMesh)
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"preserve-polygons": 1})")),
     "\"s.json\": mesh.preserve-polygons is 1 where true or false is expected.");
   EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": "a.off", "mesh": {}})"),
-    "\"s.json\": mesh does not apply here: it is a key of a study with polygons, not with mesh "
-    "files.");
+    "\"s.json\": mesh does not apply here: it is a key of a study that makes its meshes, not of "
+    "mesh files.");
   EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": []})"),
     "\"s.json\": meshes is []: name files, or a pattern such as \"folder/*.off\".");
 }

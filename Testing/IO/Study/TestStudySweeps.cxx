@@ -126,6 +126,28 @@ TEST(StudySweeps, WhatIsNotAllowedThereIsTold)
     HasSubstr("is \"steep\" where a number is expected"));
 }
 
+TEST(StudySweeps, ChoicesCanBeSweptWhateverElseTheyTake)
+{
+  const Study study =
+    With(R"([{"parameter": "domain.shape", "values": ["rectangle", "disc", "l-shape"]},
+    {"parameter": "mesh.max-area.rule", "values": ["diagonal", "constant", "none"], "zip": true}])");
+  for (const std::vector<SweptValue>& values : SweepCases(study))
+  {
+    const Study ofCase = MakeStudyOfCase(study, values);
+    EXPECT_EQ(ofCase.Domain.Shape, pemesh::FormatScalar(values[0].Value));
+    EXPECT_EQ(ofCase.Domain.Parameters.size(), ofCase.Domain.Shape == "l-shape" ? 3U : 2U);
+    EXPECT_EQ(ofCase.Mesh.MaximumArea.Rule, pemesh::FormatScalar(values[1].Value));
+  }
+}
+
+TEST(StudySweeps, AKeyThatDoesNotApplyIsNotSweptInSilence)
+{
+  const Study study = With(R"([{"parameter": "domain.shape", "values": ["disc"]},
+    {"parameter": "domain.width", "values": [2]}])");
+  EXPECT_THAT(Complaint([&] { MakeStudyOfCase(study, SweepCases(study).at(0)); }),
+    HasSubstr("would change nothing: domain.width does not apply there"));
+}
+
 TEST(StudySweeps, ImpossibleOnesAreRefused)
 {
   EXPECT_THAT(ComplaintOf(R"([{"parameter": "angle", "values": [1]}])"),
