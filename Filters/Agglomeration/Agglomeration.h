@@ -52,7 +52,7 @@ enum class AgglomerationStatus
   Done,
   Stopped,        ///< by the progress function
   Misconfigured,  ///< the options contradict each other or the rule
-  NotAgglomerable ///< the mesh: see WhyNotAgglomerable
+  NotAgglomerable ///< the mesh: see WhyNotAgglomerable; or it has nothing that the rule needs
 };
 
 struct AgglomerationResult

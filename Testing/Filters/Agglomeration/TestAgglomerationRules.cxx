@@ -34,6 +34,7 @@ protected:
     options.Placed = sample.Placed;
     options.Metric =
       this->GetRule().Metric == RuleMetric::WorstFirst ? FindMetric("AreaPerimeterRatio") : nullptr;
+    options.Parameters.Set("max-diameter", sample.Placed.empty() ? 3.5 : 0.0);
     return options;
   }
 };
