@@ -100,10 +100,16 @@ void CollectMesh(ElementMerger& merger, AgglomerationResult& result)
     }
     result.Group[element] = number[group];
   }
-  RemoveUnusedPoints(result.Mesh);
 }
 
 } // namespace
+
+AgglomerationOptions::AgglomerationOptions(const AgglomerationRule& rule)
+  : Rule(&rule)
+  , Parameters(rule.Parameters)
+  , Metric(FindMetric(rule.DefaultMetric))
+{
+}
 
 AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOptions& options,
   const std::function<bool(double)>& progress)
@@ -140,6 +146,8 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
     return result;
   }
   CollectMesh(merger, result);
+  result.MovedArea = RemoveStraightVertices(result.Mesh, options.StraightVertices);
+  RemoveUnusedPoints(result.Mesh);
   return result;
 }
 

@@ -52,20 +52,20 @@ constexpr AgglomerationRule Rules[] = {
     "Neighbours merge while the diameter of their union does not exceed that of the smallest "
     "placed polygon, or one that is given: the smallest elements first, each with the neighbour "
     "that makes the union of the smallest diameter.",
-    Cabiddu, RuleMetric::None, 0.0, DiameterParameters, &MergeByDiameter },
+    Cabiddu, RuleMetric::None, "", 0.0, DiameterParameters, &MergeByDiameter },
   { "random", "At random",
     "An element chosen at random merges with a neighbour chosen at random, again and again.", "",
-    RuleMetric::None, 20.0, RandomParameters, &MergeAtRandom },
+    RuleMetric::None, "", 20.0, RandomParameters, &MergeAtRandom },
   { "quality", "Worst shape first",
     "The element that is worst by a metric merges with the neighbour that makes the best union.",
-    Sorgente2024, RuleMetric::WorstFirst, 20.0, {}, &MergeByQuality },
+    Sorgente2024, RuleMetric::WorstFirst, "ShapeRegularity", 20.0, {}, &MergeByQuality },
   { "metis", "Parts of equal weight",
     "Parts with few sides between them, made by METIS from the graph of neighbours; they hold "
     "about the same number of elements, or the same sum of a metric.",
-    Karypis1998, RuleMetric::Weight, 20.0, MetisParameters, &MergeByMetis },
+    Karypis1998, RuleMetric::Weight, "", 20.0, MetisParameters, &MergeByMetis },
   { "regular", "Blocks along a curve",
     "Blocks of as many elements each, in the order in which a Hilbert curve meets their centroids.",
-    Hilbert1891, RuleMetric::None, 0.0, RegularParameters, &MergeByCurve },
+    Hilbert1891, RuleMetric::None, "", 0.0, RegularParameters, &MergeByCurve },
 };
 
 } // namespace

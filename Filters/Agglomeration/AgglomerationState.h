@@ -37,7 +37,7 @@ struct AgglomerationState
   /** To be asked often: reports now and then; false once the caller wants to stop. */
   bool GoesOn()
   {
-    constexpr int Every = 4096;
+    constexpr int Every = 1024;
     if (++this->Calls % Every != 0 || !this->Progress)
     {
       return true;

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "AgglomerationState.h"
 #include "PointDistances.h"
+#include "RoundMerger.h"
 #include "RuleFunctions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
-#include <utility>
+#include <vector>
 
 namespace pemesh
 {
@@ -34,165 +33,64 @@ double SmallestPlacedDiameter(const AgglomerationState& state)
 }
 
 /**
- * Merges in rounds. In each round the smallest group comes first, and takes the neighbour with
- * which it makes the union of the smallest diameter; no group takes part in two merges of a round.
- * So groups grow evenly, all triangles are merged before any group comes near the bound, and hardly
- * one is left alone. Only groups that were merged in a round, and their neighbours, can do in the
- * next what they could not do before.
+ * Squares of diameters; the smallest group first, and the union of the smallest diameter. All
+ * triangles are merged before any group comes near the bound, so hardly one is left alone.
  */
-class DiameterMerger
+class DiameterCriterion : public MergeCriterion
 {
 public:
-  DiameterMerger(AgglomerationState& state, double largest)
-    : State(state)
-    , Merger(state.Merger)
+  DiameterCriterion(ElementMerger& merger, double largest)
+    : Merger(merger)
     , LargestSquare(largest * largest)
-    , Squares(static_cast<std::size_t>(state.Merger.GetMesh().NumberOfElements()))
-    , MergedIn(Squares.size(), 0)
-    , ListedIn(Squares.size(), 0)
-    , Active(Squares.size())
   {
-    for (std::size_t i = 0; i < this->Squares.size(); ++i)
-    {
-      this->Merger.GetVertices(static_cast<int>(i), this->Own);
-      this->Squares[i] = this->OwnSquare();
-    }
-    std::iota(this->Active.begin(), this->Active.end(), 0);
   }
 
-  bool Run()
-  {
-    for (this->Round = 1; !this->Active.empty() && !this->State.IsDone(); ++this->Round)
-    {
-      std::sort(this->Active.begin(), this->Active.end(),
-        [this](int a, int b)
-        { return std::pair(this->Squares[a], a) < std::pair(this->Squares[b], b); });
-      this->MergedGroups.clear();
-      for (const int group : this->Active)
-      {
-        if (!this->State.GoesOn())
-        {
-          return false;
-        }
-        if (this->Merger.IsGroup(group) && this->MergedIn[group] != this->Round)
-        {
-          this->MergeWithBest(group);
-        }
-        if (this->State.IsDone())
-        {
-          return true;
-        }
-      }
-      this->ListNextRound();
-    }
-    return true;
-  }
+  double RankOf(double value) const override { return value; }
 
-private:
-  double OwnSquare() const
+  double ValueOf(int element) override
   {
+    this->Merger.GetVertices(element, this->Own);
     double square = 0.0;
-    for (std::size_t i = 0; i < this->Own.size(); ++i)
+    for (const Point2& point : this->Own)
     {
-      square = std::max(square, this->FarthestSquare(this->Own[i], i));
+      square = std::max(square, this->FarthestSquare(point));
     }
     return square;
   }
 
-  /** The largest squared distance of a point from the first `count` vertices of the group. */
-  double FarthestSquare(const Point2& point, std::size_t count) const
-  {
-    double square = 0.0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      const double dx = this->Own[i].x - point.x;
-      const double dy = this->Own[i].y - point.y;
-      square = std::max(square, dx * dx + dy * dy);
-    }
-    return square;
-  }
+  void Begin(int group) override { this->Merger.GetVertices(group, this->Own); }
 
-  double UnionSquare(int group, int neighbor) const
+  double Rate(int neighbor, double groupValue, double neighborValue) override
   {
-    double square = std::max(this->Squares[group], this->Squares[neighbor]);
+    double square = std::max(groupValue, neighborValue);
     const int first = this->Merger.GetFirstSide(neighbor);
     int side = first;
     do
     {
       const Point2& point = this->Merger.GetMesh().Points[this->Merger.GetVertex(side)];
-      square = std::max(square, this->FarthestSquare(point, this->Own.size()));
+      square = std::max(square, this->FarthestSquare(point));
       side = this->Merger.GetNextSide(side);
     } while (side != first && square <= this->LargestSquare);
+    return square <= this->LargestSquare ? square : Refused;
+  }
+
+private:
+  /** The largest squared distance of a point from the vertices of the group. */
+  double FarthestSquare(const Point2& point) const
+  {
+    double square = 0.0;
+    for (const Point2& own : this->Own)
+    {
+      const double dx = own.x - point.x;
+      const double dy = own.y - point.y;
+      square = std::max(square, dx * dx + dy * dy);
+    }
     return square;
   }
 
-  void MergeWithBest(int group)
-  {
-    if (this->State.IsKept(group) || this->Squares[group] > this->LargestSquare)
-    {
-      return;
-    }
-    this->Merger.GetVertices(group, this->Own);
-    this->Merger.GetNeighbors(group, this->Neighbors);
-    this->Candidates.clear();
-    for (const int neighbor : this->Neighbors)
-    {
-      if (this->State.IsKept(neighbor) || this->MergedIn[neighbor] == this->Round)
-      {
-        continue;
-      }
-      const double square = this->UnionSquare(group, neighbor);
-      if (square <= this->LargestSquare)
-      {
-        this->Candidates.emplace_back(square, neighbor);
-      }
-    }
-    std::sort(this->Candidates.begin(), this->Candidates.end());
-    for (const auto& [square, neighbor] : this->Candidates)
-    {
-      const int merged = this->Merger.Merge(group, neighbor);
-      if (merged != ElementMerger::None)
-      {
-        this->Squares[merged] = square;
-        this->MergedIn[merged] = this->Round;
-        this->MergedGroups.push_back(merged);
-        return;
-      }
-    }
-  }
-
-  void ListNextRound()
-  {
-    this->Active.clear();
-    const auto list = [this](int group)
-    {
-      if (this->ListedIn[group] != this->Round)
-      {
-        this->ListedIn[group] = this->Round;
-        this->Active.push_back(group);
-      }
-    };
-    for (const int group : this->MergedGroups)
-    {
-      list(group);
-      this->Merger.GetNeighbors(group, this->Neighbors);
-      std::for_each(this->Neighbors.begin(), this->Neighbors.end(), list);
-    }
-  }
-
-  AgglomerationState& State;
   ElementMerger& Merger;
   double LargestSquare;
-  std::vector<double> Squares; ///< of the diameter of a group
-  std::vector<int> MergedIn;   ///< round
-  std::vector<int> ListedIn;   ///< round
-  std::vector<int> Active;
-  std::vector<int> MergedGroups;
-  int Round = 0;
-
   std::vector<Point2> Own;
-  std::vector<int> Neighbors;
-  std::vector<std::pair<double, int>> Candidates;
 };
 
 } // namespace
@@ -211,7 +109,8 @@ bool MergeByDiameter(AgglomerationState& state)
       return true;
     }
   }
-  return DiameterMerger(state, largest).Run();
+  DiameterCriterion criterion(state.Merger, largest);
+  return RoundMerger(state, criterion).Run();
 }
 
 } // namespace pemesh

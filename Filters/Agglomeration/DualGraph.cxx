@@ -18,8 +18,8 @@ namespace
 {
 
 /** Parts of the shares given, or of equal ones where there are none. */
-std::vector<int> CallMetis(
-  const DualGraph& graph, int parts, int seed, const std::vector<real_t>& shares)
+std::vector<int> CallMetis(decltype(&METIS_PartGraphKway) metis, const DualGraph& graph, int parts,
+  int seed, const std::vector<real_t>& shares)
 {
   std::vector<int> part(static_cast<std::size_t>(graph.NumberOfNodes()), 0);
   if (parts <= 1 || graph.NumberOfNodes() <= 1)
@@ -42,9 +42,8 @@ std::vector<int> CallMetis(
   };
   static std::mutex oneAtATime;
   const std::lock_guard<std::mutex> lock(oneAtATime);
-  METIS_PartGraphKway(&nodes, &constraints, plain(graph.Offsets), plain(graph.Neighbors),
-    plain(graph.Weights), nullptr, nullptr, &count, plain(shares), nullptr, options.data(), &cut,
-    part.data());
+  metis(&nodes, &constraints, plain(graph.Offsets), plain(graph.Neighbors), plain(graph.Weights),
+    nullptr, nullptr, &count, plain(shares), nullptr, options.data(), &cut, part.data());
   return part;
 }
 
@@ -157,7 +156,7 @@ long CountCutEdges(const DualGraph& graph, const std::vector<int>& parts)
 
 std::vector<int> PartitionPlainly(const DualGraph& graph, int parts, int seed)
 {
-  return CallMetis(graph, parts, seed, {});
+  return CallMetis(&METIS_PartGraphKway, graph, parts, seed, {});
 }
 
 std::vector<int> PartitionByBlocks(
@@ -167,7 +166,7 @@ std::vector<int> PartitionByBlocks(
   const int blocks = (parts + PartsOfABlock - 1) / PartsOfABlock;
   if (blocks <= 1)
   {
-    return PartitionPlainly(graph, parts, seed);
+    return CallMetis(&METIS_PartGraphRecursive, graph, parts, seed, {});
   }
   std::vector<int> firstPart(static_cast<std::size_t>(blocks) + 1);
   std::vector<real_t> shares(static_cast<std::size_t>(blocks));
@@ -180,7 +179,8 @@ std::vector<int> PartitionByBlocks(
     shares[block] =
       static_cast<real_t>(firstPart[block + 1] - firstPart[block]) / static_cast<real_t>(parts);
   }
-  const NodesByBlock sorted = SortByBlock(CallMetis(graph, blocks, seed, shares), blocks);
+  const NodesByBlock sorted =
+    SortByBlock(CallMetis(&METIS_PartGraphKway, graph, blocks, seed, shares), blocks);
   std::vector<int> part(static_cast<std::size_t>(graph.NumberOfNodes()));
   std::vector<int> local(part.size(), -1);
   DualGraph inner;
@@ -193,8 +193,8 @@ std::vector<int> PartitionByBlocks(
     const int* nodes = sorted.Nodes.data() + sorted.First[block];
     const int count = sorted.First[block + 1] - sorted.First[block];
     ExtractGraph(graph, nodes, count, local, inner);
-    const std::vector<int> found =
-      PartitionPlainly(inner, firstPart[block + 1] - firstPart[block], seed);
+    const std::vector<int> found = CallMetis(
+      &METIS_PartGraphRecursive, inner, firstPart[block + 1] - firstPart[block], seed, {});
     for (int i = 0; i < count; ++i)
     {
       part[nodes[i]] = firstPart[block] + found[i];

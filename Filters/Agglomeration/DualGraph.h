@@ -44,8 +44,9 @@ PEMESHFILTERSAGGLOMERATION_EXPORT std::vector<int> PartitionPlainly(
   const DualGraph& graph, int parts, int seed);
 
 /**
- * The same in two steps, first blocks of some hundred parts each, then the parts of every block:
- * much faster for many parts, because METIS goes through all parts again and again. `progress` gets
+ * The same in two steps: first blocks of some hundred parts each, then the parts of every block by
+ * recursive bisection (METIS_PartGraphRecursive), which for parts of a few nodes is faster and cuts
+ * fewer edges. `progress` gets
  * the fraction done; if it says to stop, the result is empty.
  */
 PEMESHFILTERSAGGLOMERATION_EXPORT std::vector<int> PartitionByBlocks(
