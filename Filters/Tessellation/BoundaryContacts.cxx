@@ -85,7 +85,6 @@ public:
       }
     }
     this->Contacts.IsTouched.resize(this->Contacts.Cells.Points.size(), true);
-    LinkIsolatedHoles(this->Tolerance, this->Contacts);
     for (PointsOnEdges* points : { &this->Contacts.OnCellEdges, &this->Contacts.OnDomainEdges })
     {
       for (auto& [edge, onEdge] : *points)

@@ -43,8 +43,6 @@ struct BoundaryContacts
   std::vector<bool> IsTouched;  ///< a point each: the cells of which it is a vertex are cut
   PointsOnEdges OnCellEdges;    ///< by the side, of two that face each other the first one
   PointsOnEdges OnDomainEdges;
-  /** Edges that join holes without contacts to what is around them. */
-  std::vector<std::pair<int, int>> Links;
 
   /** The side that OnCellEdges knows the edge by. */
   int EdgeOf(int side) const
@@ -61,9 +59,6 @@ struct BoundaryContacts
 /** See ClipMesh. The points of an edge are sorted. */
 BoundaryContacts FindBoundaryContacts(
   const PolygonMesh& cells, const Domain& domain, double tolerance);
-
-/** Adds the links of the holes that have fewer than two contacts with edges of cells. */
-void LinkIsolatedHoles(double tolerance, BoundaryContacts& contacts);
 
 } // namespace pemesh
 

@@ -3,6 +3,7 @@
 #include "ClipMesh.h"
 
 #include "BoundaryContacts.h"
+#include "HoleLinks.h"
 #include "PlanarFaces.h"
 
 #include <algorithm>
@@ -53,7 +54,7 @@ std::vector<bool> FindCutCells(const BoundaryContacts& contacts)
   return isCut;
 }
 
-/** The pieces of the edges of the cut cells, of the boundary and of the links. */
+/** The pieces of the edges of the cut cells and of the boundary. */
 class PieceCollector
 {
 public:
@@ -75,11 +76,7 @@ public:
       ListPoints(this->Contacts.OnDomainEdges, edge, domainEdge.From, domainEdge.To, this->Points);
       this->AddPieces({ -1, true, false }, { -1, false, true });
     }
-    for (const auto& [from, to] : this->Contacts.Links)
-    {
-      this->Points = { from, to };
-      this->AddPieces({}, {});
-    }
+    MergeRepetitions(this->Pieces);
     return std::move(this->Pieces);
   }
 
@@ -130,13 +127,11 @@ struct Parts
 };
 
 /** Whole cells, and what is left of cut cells; parts that are outside for certain are left out. */
-Parts CollectParts(const BoundaryContacts& contacts)
+Parts CollectParts(const BoundaryContacts& contacts, const std::vector<bool>& isCut,
+  const std::vector<HalfEdge>& pieces)
 {
-  const std::vector<bool> isCut = FindCutCells(contacts);
-  const std::vector<PlanarFace> faces =
-    FindPlanarFaces(contacts.Cells.Points, PieceCollector(contacts, isCut).Collect());
   Parts parts;
-  for (const PlanarFace& face : faces)
+  for (const PlanarFace& face : FindPlanarFaces(contacts.Cells.Points, pieces))
   {
     const bool isOfCell = face.Left.Cell >= 0 && isCut[face.Left.Cell];
     if (!face.Left.OffDomain && (face.Left.InDomain || isOfCell))
@@ -184,17 +179,14 @@ void SpreadOverDomain(Parts& parts)
 }
 
 /** Whether the sides of the mesh that have no neighbour are the pieces of the boundary. */
-bool IsBorderTheBoundary(const PolygonMesh& mesh, const BoundaryContacts& contacts)
+bool IsBorderTheBoundary(const PolygonMesh& mesh, const std::vector<HalfEdge>& pieces)
 {
   std::vector<std::pair<int, int>> boundary;
-  std::vector<int> points;
-  for (int edge = 0; edge < static_cast<int>(contacts.DomainEdges.size()); ++edge)
+  for (const HalfEdge& piece : pieces)
   {
-    const DomainEdge& domainEdge = contacts.DomainEdges[edge];
-    ListPoints(contacts.OnDomainEdges, edge, domainEdge.From, domainEdge.To, points);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    if (piece.Left.InDomain)
     {
-      boundary.emplace_back(points[i], points[i + 1]);
+      boundary.emplace_back(piece.From, piece.To);
     }
   }
   const MeshAdjacency adjacency = FindAdjacency(mesh);
@@ -221,8 +213,13 @@ bool IsBorderTheBoundary(const PolygonMesh& mesh, const BoundaryContacts& contac
 std::string ClipMesh(
   const PolygonMesh& cells, const Domain& domain, double tolerance, ClippedMesh& clipped)
 {
-  const BoundaryContacts contacts = FindBoundaryContacts(cells, domain, tolerance);
-  Parts parts = CollectParts(contacts);
+  BoundaryContacts contacts = FindBoundaryContacts(cells, domain, tolerance);
+  std::vector<bool> isCut = FindCutCells(contacts);
+  HoleLinks links(contacts);
+  links.MarkCells(contacts, isCut);
+  std::vector<HalfEdge> pieces = PieceCollector(contacts, isCut).Collect();
+  links.AddTo(tolerance, contacts.Cells.Points, pieces);
+  Parts parts = CollectParts(contacts, isCut, pieces);
   SpreadOverDomain(parts);
   std::vector<int> order(parts.Cells.size());
   std::iota(order.begin(), order.end(), 0);
@@ -238,7 +235,7 @@ std::string ClipMesh(
     }
   }
   clipped.Mesh.Points = std::move(parts.Mesh.Points);
-  if (!IsBorderTheBoundary(clipped.Mesh, contacts))
+  if (!IsBorderTheBoundary(clipped.Mesh, pieces))
   {
     return "Where cells meet the boundary of the domain, rounding to double precision leaves gaps; "
            "change the number of cells or the seed.";

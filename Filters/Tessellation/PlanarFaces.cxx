@@ -18,24 +18,6 @@ bool ComesBefore(const HalfEdge& a, const HalfEdge& b)
   return std::tie(a.From, a.To) < std::tie(b.From, b.To);
 }
 
-void MergeRepetitions(std::vector<HalfEdge>& edges)
-{
-  std::stable_sort(edges.begin(), edges.end(), ComesBefore);
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    if (kept > 0 && edges[kept - 1].From == edges[i].From && edges[kept - 1].To == edges[i].To)
-    {
-      edges[kept - 1].Left.Merge(edges[i].Left);
-    }
-    else
-    {
-      edges[kept++] = edges[i];
-    }
-  }
-  edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(kept), edges.end());
-}
-
 /** Directions from an origin in counter-clockwise order, starting from the east. */
 class AroundOrigin
 {
@@ -99,6 +81,24 @@ void LeftSide::Merge(const LeftSide& other)
   this->Cell = std::max(this->Cell, other.Cell);
   this->InDomain = this->InDomain || other.InDomain;
   this->OffDomain = this->OffDomain || other.OffDomain;
+}
+
+void MergeRepetitions(std::vector<HalfEdge>& edges)
+{
+  std::stable_sort(edges.begin(), edges.end(), ComesBefore);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (kept > 0 && edges[kept - 1].From == edges[i].From && edges[kept - 1].To == edges[i].To)
+    {
+      edges[kept - 1].Left.Merge(edges[i].Left);
+    }
+    else
+    {
+      edges[kept++] = edges[i];
+    }
+  }
+  edges.erase(edges.begin() + static_cast<std::ptrdiff_t>(kept), edges.end());
 }
 
 std::vector<PlanarFace> FindPlanarFaces(

@@ -37,6 +37,9 @@ struct PlanarFace
   LeftSide Left;             ///< what any of its edges knew
 };
 
+/** Sorts edges and makes one of those with the same ends. */
+void MergeRepetitions(std::vector<HalfEdge>& edges);
+
 /**
  * Each edge is given at least once in both directions; repetitions are merged. Edges meet in common
  * ends only. The order of edges around a vertex is decided exactly; the order of the faces follows

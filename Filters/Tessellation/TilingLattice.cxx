@@ -53,8 +53,8 @@ TessellationResult TileDomain(const TessellationInput& input, const TilingSize& 
   if (sides > mostSides)
   {
     return { TessellationStatus::TooManyElements,
-      "The mesh would have " + CountText(sides) + " sides, the limit is " +
-        CountText(mostSides) + " (16 times that of the elements); refine less.",
+      "The mesh would have " + CountText(sides) + " sides, the limit is " + CountText(mostSides) +
+        " (16 times that of the elements); refine less.",
       {} };
   }
   PolygonMesh mesh;
@@ -93,8 +93,8 @@ std::string FindTolerance(const Domain& domain, double count, double& tolerance)
 TessellationResult TooManyElements(double count, double most)
 {
   return { TessellationStatus::TooManyElements,
-    "The mesh would have about " + CountText(count) + " elements, the limit is " +
-      CountText(most) + "; ask for fewer or raise the limit.",
+    "The mesh would have about " + CountText(count) + " elements, the limit is " + CountText(most) +
+      "; ask for fewer or raise the limit.",
     {} };
 }
 

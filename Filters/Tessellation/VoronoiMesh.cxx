@@ -68,14 +68,14 @@ TessellationResult Fail(std::string message)
   return { TessellationStatus::Failed, std::move(message), {} };
 }
 
-TessellationResult MakeRelaxedVoronoi(const TessellationInput& input, int iterations)
+TessellationResult MakeRelaxedVoronoi(
+  const TessellationInput& input, double spacing, int iterations)
 {
   const double count = input.Values.Get("cells");
   if (count > input.MaximumElements)
   {
     return TooManyElements(count, input.MaximumElements);
   }
-  const double spacing = iterations > 0 ? 0.0 : input.Values.Get("spacing");
   std::vector<Point2> sites;
   std::string why = RandomSites(
     input.Region, input.Values.GetInteger("cells"), spacing, input.Values.Get("seed"), sites);
@@ -142,12 +142,12 @@ std::string RelaxSites(const Domain& domain, int iterations,
 
 TessellationResult MakeVoronoi(const TessellationInput& input)
 {
-  return MakeRelaxedVoronoi(input, 0);
+  return MakeRelaxedVoronoi(input, input.Values.Get("spacing"), 0);
 }
 
 TessellationResult MakeCentroidalVoronoi(const TessellationInput& input)
 {
-  return MakeRelaxedVoronoi(input, input.Values.GetInteger("iterations"));
+  return MakeRelaxedVoronoi(input, 0.0, input.Values.GetInteger("iterations"));
 }
 
 } // namespace pemesh
