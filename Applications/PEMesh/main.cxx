@@ -25,6 +25,7 @@ int RunProgram(int argc, char** argv)
   int exitCode = pemesh::AllDone;
   pemesh::AddStudyCommands(program, exitCode);
   pemesh::AddMeshCommands(program, exitCode);
+  pemesh::AddCheckCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 
