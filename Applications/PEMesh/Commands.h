@@ -28,7 +28,10 @@ void AddRenderCommand(CLI::App& program, int& exitCode);
 /** correlate, plot: what is done with a table. */
 void AddTableCommands(CLI::App& program, int& exitCode);
 
-/** list: the tables of families, metrics, solvers, problems and rules. */
+/** check: what is wrong with mesh files. */
+void AddCheckCommand(CLI::App& program, int& exitCode);
+
+/** list: the tables of families, metrics, solvers, problems, rules and checks. */
 void AddListCommand(CLI::App& program, int& exitCode);
 
 } // namespace pemesh

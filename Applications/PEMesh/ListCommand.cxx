@@ -5,6 +5,7 @@
  */
 #include "AreaRules.h"
 #include "Commands.h"
+#include "MeshChecks.h"
 #include "MetricRegistry.h"
 #include "PolygonFamilies.h"
 #include "SolverDescription.h"
@@ -103,6 +104,18 @@ Json RulesAsJson()
   return list;
 }
 
+Json ChecksAsJson()
+{
+  Json list = Json::array();
+  for (const MeshCheck& check : MeshChecks())
+  {
+    list.push_back({ { "name", check.Name }, { "label", check.Label },
+      { "severity", check.Severity == CheckSeverity::Error ? "error" : "warning" },
+      { "repairable", check.IsRepairable }, { "description", check.Description } });
+  }
+  return list;
+}
+
 /** A table for people: a line an entry, the keys of `columns` side by side. */
 void PrintTable(const Json& list, const std::vector<std::string>& columns)
 {
@@ -143,6 +156,7 @@ const std::vector<Listing>& Listings()
     { "solvers", SolversAsJson, { "name", "label" } },
     { "problems", ProblemsAsJson, { "name", "formula" } },
     { "rules", RulesAsJson, { "name", "formula" } },
+    { "checks", ChecksAsJson, { "name", "severity", "description" } },
   };
   return listings;
 }
@@ -163,7 +177,7 @@ void AddListCommand(CLI::App& program, int& exitCode)
     names.emplace_back(listing.Name);
   }
   CLI::App* command = program.add_subcommand(
-    "list", "List polygon families, metrics, solvers, test problems or area rules");
+    "list", "List polygon families, metrics, solvers, test problems, area rules or checks");
   command->add_option("WHAT", arguments->What, "What to list")
     ->required()
     ->check(CLI::IsMember(names));

@@ -26,6 +26,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddStudyCommands(program, exitCode);
   pemesh::AddMetricsCommand(program, exitCode);
   pemesh::AddRenderCommand(program, exitCode);
+  pemesh::AddCheckCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 

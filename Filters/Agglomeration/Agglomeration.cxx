@@ -56,14 +56,20 @@ std::string WhyMisconfigured(const PolygonMesh& mesh, const AgglomerationOptions
   return WhyMetricUnusable(options);
 }
 
+/** 0 if none applies. */
+double FindPercentage(const AgglomerationOptions& options)
+{
+  return options.TargetPercentage > 0.0 ? options.TargetPercentage
+                                        : options.Rule->DefaultPercentage;
+}
+
 int FindTarget(const PolygonMesh& mesh, const AgglomerationOptions& options)
 {
   if (options.TargetElements > 0)
   {
     return options.TargetElements;
   }
-  const double percentage =
-    options.TargetPercentage > 0.0 ? options.TargetPercentage : options.Rule->DefaultPercentage;
+  const double percentage = FindPercentage(options);
   return std::max(1, static_cast<int>(std::lround(percentage / 100.0 * mesh.NumberOfElements())));
 }
 
@@ -94,10 +100,16 @@ void CollectMesh(ElementMerger& merger, AgglomerationResult& result)
     }
     result.Group[element] = number[group];
   }
-  RemoveUnusedPoints(result.Mesh);
 }
 
 } // namespace
+
+AgglomerationOptions::AgglomerationOptions(const AgglomerationRule& rule)
+  : Rule(&rule)
+  , Parameters(rule.Parameters)
+  , Metric(FindMetric(rule.DefaultMetric))
+{
+}
 
 AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOptions& options,
   const std::function<bool(double)>& progress)
@@ -120,7 +132,8 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
   placed.resize(static_cast<std::size_t>(mesh.NumberOfElements()), false);
   ElementMerger merger(mesh, std::move(adjacency));
   AgglomerationState state{ merger, placed, options.KeepPlaced, FindTarget(mesh, options),
-    options.Metric, options.Parameters, progress, {} };
+    options.TargetElements > 0 || FindPercentage(options) > 0.0, options.Metric, options.Parameters,
+    progress, {} };
   if (!options.Rule->Apply(state))
   {
     result.Status = AgglomerationStatus::Stopped;
@@ -129,10 +142,12 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
   result.Message = state.Problem;
   if (!result.Message.empty())
   {
-    result.Status = AgglomerationStatus::Misconfigured;
+    result.Status = AgglomerationStatus::NotAgglomerable;
     return result;
   }
   CollectMesh(merger, result);
+  result.MovedArea = RemoveStraightVertices(result.Mesh, options.StraightVertices);
+  RemoveUnusedPoints(result.Mesh);
   return result;
 }
 

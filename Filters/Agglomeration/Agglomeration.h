@@ -12,6 +12,7 @@
 #include "AgglomerationRules.h"
 #include "Parameter.h"
 #include "PolygonMesh.h"
+#include "StraightVertices.h"
 #include "pemeshFiltersAgglomerationModule.h" // For export macro
 
 #include <functional>
@@ -23,18 +24,15 @@ namespace pemesh
 
 struct Metric;
 
-struct AgglomerationOptions
+struct PEMESHFILTERSAGGLOMERATION_EXPORT AgglomerationOptions
 {
-  explicit AgglomerationOptions(const AgglomerationRule& rule)
-    : Rule(&rule)
-    , Parameters(rule.Parameters)
-  {
-  }
+  /** The defaults of the rule. */
+  explicit AgglomerationOptions(const AgglomerationRule& rule);
 
   const AgglomerationRule* Rule;
   ParameterValues Parameters; ///< of the rule
 
-  const pemesh::Metric* Metric = nullptr; ///< see RuleMetric
+  const pemesh::Metric* Metric; ///< see RuleMetric; null for none
 
   ///@{
   /** Where to stop, at most one of them: a number of elements, or a percentage (0, 100] of those
@@ -45,6 +43,8 @@ struct AgglomerationOptions
 
   std::vector<bool> Placed; ///< an element each: of a placed polygon; empty: none is
   bool KeepPlaced = true;   ///< placed polygons are never merged
+
+  pemesh::StraightVertices StraightVertices = pemesh::StraightVertices::Keep;
 };
 
 enum class AgglomerationStatus
@@ -52,7 +52,7 @@ enum class AgglomerationStatus
   Done,
   Stopped,        ///< by the progress function
   Misconfigured,  ///< the options contradict each other or the rule
-  NotAgglomerable ///< the mesh: see WhyNotAgglomerable
+  NotAgglomerable ///< the mesh: see WhyNotAgglomerable; or it has nothing that the rule needs
 };
 
 struct AgglomerationResult
@@ -62,6 +62,10 @@ struct AgglomerationResult
 
   PolygonMesh Mesh;
   std::vector<int> Group; ///< an old element each: the new element that it is part of
+
+  /** Area that changed sides where vertices straight but for rounding were removed. Every element
+   * has exactly the area of its parts if it is 0, as with StraightVertices::Keep. */
+  double MovedArea = 0.0;
 };
 
 /**

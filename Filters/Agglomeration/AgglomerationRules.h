@@ -36,6 +36,7 @@ struct AgglomerationRule
   const char* Description; ///< one or two sentences
   const char* Reference;
   RuleMetric Metric;
+  const char* DefaultMetric; ///< empty for none
   double DefaultPercentage; ///< of the input elements, where no target is set; 0: as far as it goes
   std::span<const Parameter> Parameters;
 

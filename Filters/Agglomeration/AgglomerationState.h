@@ -24,11 +24,12 @@ struct AgglomerationState
   ElementMerger& Merger;
   const std::vector<bool>& Placed; ///< an element each: of a placed polygon
   bool KeepPlaced;
-  int Target; ///< stop at this number of groups; at least 1
+  int Target;     ///< stop at this number of groups; at least 1
+  bool HasTarget; ///< false: the target is 1 because none was set
   const pemesh::Metric* Metric;
   const ParameterValues& Parameters;
   const std::function<bool(double)>& Progress;
-  std::string Problem; ///< why the rule cannot work with these options; empty if it can
+  std::string Problem; ///< why the rule cannot work on this mesh; empty if it can
 
   bool IsKept(int group) const { return this->KeepPlaced && this->Placed[group]; }
   bool IsDone() const { return this->Merger.GetNumberOfGroups() <= this->Target; }
@@ -36,7 +37,7 @@ struct AgglomerationState
   /** To be asked often: reports now and then; false once the caller wants to stop. */
   bool GoesOn()
   {
-    constexpr int Every = 4096;
+    constexpr int Every = 1024;
     if (++this->Calls % Every != 0 || !this->Progress)
     {
       return true;

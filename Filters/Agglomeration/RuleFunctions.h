@@ -12,7 +12,11 @@ namespace pemesh
 
 struct AgglomerationState;
 
+bool MergeByDiameter(AgglomerationState& state);
 bool MergeAtRandom(AgglomerationState& state);
+bool MergeByQuality(AgglomerationState& state);
+bool MergeByMetis(AgglomerationState& state);
+bool MergeByCurve(AgglomerationState& state);
 
 } // namespace pemesh
 

@@ -8,7 +8,6 @@
 
 #include <vtkCellArray.h>
 #include <vtkDoubleArray.h>
-#include <vtkIdList.h>
 #include <vtkNew.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
@@ -118,35 +117,27 @@ int AreaSign(const double* coordinates, const std::int64_t* corners, std::size_t
   return ExactAreaSign(coordinates, corners, count);
 }
 
-void MeshBuilder::ReverseClockwiseElements()
-{
-  const double* coordinates = this->Coordinates.GetData();
-  for (std::size_t i = 0; i + 1 < this->Offsets.GetSize(); ++i)
-  {
-    std::int64_t* first = this->Connectivity.GetData() + this->Offsets[i];
-    std::int64_t* last = this->Connectivity.GetData() + this->Offsets[i + 1];
-    if (AreaSign(coordinates, first, static_cast<std::size_t>(last - first)) < 0)
-    {
-      std::reverse(first + 1, last);
-    }
-  }
-}
-
 void ReverseClockwiseElements(vtkPolyData* mesh)
 {
+  if (mesh->GetNumberOfCells() == 0)
+  {
+    return; // of a case that failed
+  }
   auto* points = vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData());
   const double* coordinates = points->GetPointer(0);
   vtkCellArray* polygons = mesh->GetPolys();
-  vtkNew<vtkIdList> ids;
-  std::vector<std::int64_t> corners;
+  polygons->ConvertTo64BitStorage();
+  const vtkTypeInt64* offsets = polygons->GetOffsetsArray64()->GetPointer(0);
+  static_assert(sizeof(vtkTypeInt64) == sizeof(std::int64_t));
+  auto* connectivity =
+    reinterpret_cast<std::int64_t*>(polygons->GetConnectivityArray64()->GetPointer(0));
   for (vtkIdType i = 0; i < polygons->GetNumberOfCells(); ++i)
   {
-    polygons->GetCellAtId(i, ids);
-    corners.assign(ids->begin(), ids->end());
-    if (AreaSign(coordinates, corners.data(), corners.size()) < 0)
+    std::int64_t* first = connectivity + offsets[i];
+    std::int64_t* last = connectivity + offsets[i + 1];
+    if (AreaSign(coordinates, first, static_cast<std::size_t>(last - first)) < 0)
     {
-      std::reverse(ids->begin() + 1, ids->end());
-      polygons->ReplaceCellAtId(i, ids);
+      std::reverse(first + 1, last);
     }
   }
 }
@@ -167,7 +158,6 @@ bool MeshBuilder::LooksSecondOrder()
 
 vtkSmartPointer<vtkPolyData> MeshBuilder::Take()
 {
-  this->ReverseClockwiseElements();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetData(TakeArray<vtkDoubleArray>(this->Coordinates, 3));

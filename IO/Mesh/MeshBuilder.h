@@ -118,18 +118,17 @@ public:
   /** Whether the last element, of six vertices, is a triangle and the middles of its sides. */
   bool LooksSecondOrder();
 
-  /** The mesh, its clockwise elements reversed. All vertex numbers must be in range. */
+  /** The mesh, its elements as they were given. */
   vtkSmartPointer<vtkPolyData> Take();
 
 private:
-  void ReverseClockwiseElements();
-
   GrowingArray<double> Coordinates;
   GrowingArray<std::int64_t> Offsets;
   GrowingArray<std::int64_t> Connectivity;
 };
 
-/** Reverses the elements that are clockwise; the others, and the first vertices, stay. */
+/** Reverses the elements that are clockwise; the others, and the first vertices, stay. Points must
+ * be doubles, all vertex numbers in range. */
 void ReverseClockwiseElements(vtkPolyData* mesh);
 
 /**

@@ -3,6 +3,7 @@
 #include "MeshFormats.h"
 
 #include "FormatFunctions.h"
+#include "MeshBuilder.h"
 
 #include <algorithm>
 #include <array>
@@ -88,9 +89,15 @@ const MeshFormat* FindMeshFormatOfFile(const std::filesystem::path& path)
   return found == Formats.end() ? nullptr : found;
 }
 
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::filesystem::path& path)
+vtkSmartPointer<vtkPolyData> ReadMesh(
+  const std::filesystem::path& path, ElementOrientation orientation)
 {
-  return NeedFormat(path).Read(path);
+  auto mesh = NeedFormat(path).Read(path);
+  if (orientation == ElementOrientation::CounterClockwise)
+  {
+    ReverseClockwiseElements(mesh);
+  }
+  return mesh;
 }
 
 void WriteMesh(const std::filesystem::path& path, vtkPolyData* mesh)

@@ -9,8 +9,9 @@
  *    with the same coordinates are one vertex, in the order in which they first appear.
  *  - Coordinates are doubles, read and written so that every bit survives (binary STL: floats).
  *  - Meshes are planar: a third coordinate must be zero and is dropped.
- *  - Elements that are clockwise in the file are reversed, the first vertex staying first. The
- *    sign of the area is exact, so that no needle is turned by rounding.
+ *  - Elements that are clockwise in the file are reversed, the first vertex staying first, unless
+ *    ReadMesh is asked for them as stored. The sign of the area is exact, so that no needle is
+ *    turned by rounding.
  *  - Nothing depends on the locale; files are written whole or not at all.
  *  - Whatever is wrong with a file is a std::runtime_error with one sentence that names the file
  *    and, in a text file, the line.
@@ -42,6 +43,7 @@ struct MeshFormat
   const char* Label;
   /** Lower case, with the dot; the first one is the one written. */
   std::span<const char* const> Extensions;
+  /** Elements as stored; ReadMesh turns them round. */
   vtkSmartPointer<vtkPolyData> (*Read)(const std::filesystem::path& path);
   void (*Write)(const std::filesystem::path& path, vtkPolyData* mesh);
   /** Whether a file keeps the order of the vertices, which a solver's answer needs. */
@@ -57,8 +59,16 @@ PEMESHIOMESH_EXPORT const MeshFormat* FindMeshFormat(std::string_view name);
 /** By the extension of a file, whatever its case, or null. */
 PEMESHIOMESH_EXPORT const MeshFormat* FindMeshFormatOfFile(const std::filesystem::path& path);
 
+/** What becomes of elements that are clockwise in a file. */
+enum class ElementOrientation
+{
+  CounterClockwise, ///< they are reversed
+  AsStored          ///< nothing: for who looks for what is wrong with a file
+};
+
 /** Throws std::runtime_error where the extension is unknown or the file is bad. */
-PEMESHIOMESH_EXPORT vtkSmartPointer<vtkPolyData> ReadMesh(const std::filesystem::path& path);
+PEMESHIOMESH_EXPORT vtkSmartPointer<vtkPolyData> ReadMesh(const std::filesystem::path& path,
+  ElementOrientation orientation = ElementOrientation::CounterClockwise);
 
 /**
  * Throws std::runtime_error where the extension is unknown, the mesh cannot be written (no

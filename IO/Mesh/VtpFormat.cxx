@@ -7,7 +7,6 @@
 #include "FormatFunctions.h"
 
 #include "ElementAccess.h"
-#include "MeshBuilder.h"
 #include "MeshText.h"
 #include "TextFile.h"
 
@@ -213,7 +212,6 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::filesystem::path& path)
   {
     FailMeshFile(path, "cannot be used: " + reason);
   }
-  ReverseClockwiseElements(mesh);
   return mesh;
 }
 

@@ -43,7 +43,7 @@ fs::path WriteTwoRectangles(const fs::path& folder)
 TEST(Commands, HelpIsEverywhere)
 {
   for (const char* command :
-    { "run", "generate", "metrics", "solve", "correlate", "plot", "render", "list" })
+    { "run", "generate", "metrics", "solve", "correlate", "plot", "render", "check", "list" })
   {
     const auto run = RunProgram("pemesh", { command, "--help" });
     EXPECT_EQ(run.ExitCode, 0) << command;
@@ -58,7 +58,7 @@ TEST(Commands, ListPrintsEveryTable)
 {
   const std::vector<std::pair<std::string, std::string>> contents = { { "families", "u-like" },
     { "metrics", "KernelAreaRatio" }, { "solvers", "pemesh-vem" }, { "problems", "franke-1979" },
-    { "rules", "shortest-edge" } };
+    { "rules", "shortest-edge" }, { "checks", "t-junctions" } };
   for (const auto& [what, word] : contents)
   {
     EXPECT_THAT(RunProgram("pemesh", { "list", what }).Output, HasSubstr(word));

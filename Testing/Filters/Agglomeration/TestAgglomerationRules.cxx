@@ -34,6 +34,7 @@ protected:
     options.Placed = sample.Placed;
     options.Metric =
       this->GetRule().Metric == RuleMetric::WorstFirst ? FindMetric("AreaPerimeterRatio") : nullptr;
+    options.Parameters.Set("max-diameter", sample.Placed.empty() ? 3.5 : 0.0);
     return options;
   }
 };
@@ -103,7 +104,7 @@ TEST_P(EveryRule, AgglomeratesAgglomerates)
 
 TEST_P(EveryRule, StopsWhenTold)
 {
-  const SampleMesh sample{ "", TriangleGrid(200, 200, 1), {} };
+  const SampleMesh sample{ "", TriangleGrid(60, 60, 1), {} };
   int calls = 0;
   const AgglomerationResult result = Agglomerate(sample.Mesh, this->MakeOptions(sample),
     [&calls](double fraction)
