@@ -3,20 +3,24 @@
 /**
  * list: prints the tables that everything else is driven by.
  */
+#include "AgglomerationRules.h"
 #include "AreaRules.h"
 #include "Commands.h"
+#include "DomainShapes.h"
 #include "MeshChecks.h"
 #include "MetricRegistry.h"
 #include "PolygonFamilies.h"
 #include "SolverDescription.h"
 #include "SolverDescriptionFile.h"
 #include "Terminal.h"
+#include "Tessellations.h"
 #include "TestProblems.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -94,12 +98,65 @@ Json ProblemsAsJson()
   return list;
 }
 
+Json ParametersAsJson(std::span<const Parameter> parameters)
+{
+  Json list = Json::array();
+  for (const Parameter& parameter : parameters)
+  {
+    Json entry = { { "name", parameter.Name }, { "description", parameter.Description },
+      { "default", parameter.Default }, { "least", parameter.Least } };
+    if (std::isfinite(parameter.Greatest)) // JSON has no infinity
+    {
+      entry["greatest"] = parameter.Greatest;
+    }
+    entry["integer"] = parameter.IsInteger;
+    list.push_back(entry);
+  }
+  return list;
+}
+
+/** Of a table whose entries have parameters. */
+template <typename Table>
+Json EntriesAsJson(const Table& table)
+{
+  Json list = Json::array();
+  for (const auto& entry : table)
+  {
+    list.push_back({ { "name", entry.Name }, { "label", entry.Label },
+      { "description", entry.Description }, { "parameters", ParametersAsJson(entry.Parameters) } });
+  }
+  return list;
+}
+
+Json DomainsAsJson()
+{
+  return EntriesAsJson(DomainShapes());
+}
+
+Json SourcesAsJson()
+{
+  Json list = EntriesAsJson(Tessellations());
+  list.insert(list.begin(),
+    { { "name", "triangulation" }, { "label", "Triangulation" },
+      { "description", "Triangles around placed polygons; see the keys of mesh in a study." },
+      { "parameters", Json::array() } });
+  return list;
+}
+
+/** Those for the area of triangles and those for the merging of elements. */
 Json RulesAsJson()
 {
   Json list = Json::array();
   for (const AreaRule& rule : AreaRules())
   {
-    list.push_back({ { "name", rule.Name }, { "label", rule.Label }, { "formula", rule.Formula } });
+    list.push_back({ { "of", "max-area" }, { "name", rule.Name }, { "label", rule.Label },
+      { "description", rule.Formula } });
+  }
+  for (Json& entry : EntriesAsJson(AgglomerationRules()))
+  {
+    Json rule = { { "of", "agglomerate" } };
+    rule.update(entry);
+    list.push_back(rule);
   }
   return list;
 }
@@ -155,7 +212,9 @@ const std::vector<Listing>& Listings()
     { "metrics", MetricsAsJson, { "name", "symbol", "range", "unit", "formula" } },
     { "solvers", SolversAsJson, { "name", "label" } },
     { "problems", ProblemsAsJson, { "name", "formula" } },
-    { "rules", RulesAsJson, { "name", "formula" } },
+    { "domains", DomainsAsJson, { "name", "description" } },
+    { "sources", SourcesAsJson, { "name", "description" } },
+    { "rules", RulesAsJson, { "of", "name", "description" } },
     { "checks", ChecksAsJson, { "name", "severity", "description" } },
   };
   return listings;

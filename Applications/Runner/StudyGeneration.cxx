@@ -3,16 +3,26 @@
 #include "StudyGeneration.h"
 
 #include "Study.h"
+#include "vtkPEMAgglomerate.h"
 #include "vtkPEMDomain.h"
 #include "vtkPEMDomainMesher.h"
 #include "vtkPEMMeshReader.h"
 #include "vtkPEMPolygonLayout.h"
+#include "vtkPEMTessellation.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
 
 namespace pemesh
 {
 
 namespace
 {
+
+/** The names of vtkPEMAgglomerate::StraightVerticesModes. */
+constexpr std::array<std::string_view, 3> StraightVertices{ "keep", "remove-exact",
+  "remove-rounded" };
 
 void ConfigureLayout(const Study& study, vtkPEMPolygonLayout* layout)
 {
@@ -41,7 +51,8 @@ StudyGeneration::~StudyGeneration() = default;
 
 std::vector<vtkAlgorithm*> StudyGeneration::GetFilters()
 {
-  return { this->Reader, this->Domain, this->Layout, this->Mesher };
+  return { this->Reader, this->Domain, this->Layout, this->Mesher, this->Tessellation,
+    this->Agglomeration };
 }
 
 vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
@@ -84,9 +95,58 @@ vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
   return this->Mesher;
 }
 
+vtkAlgorithm* StudyGeneration::ConfigureTessellation(const Study& study)
+{
+  this->ConfigureDomain(study);
+  this->Tessellation->SetInputConnection(this->Domain->GetOutputPort());
+  this->Tessellation->SetKindByName(study.Mesh.Source);
+  for (const auto& [name, value] : study.Mesh.Parameters)
+  {
+    this->Tessellation->SetParameter(name, value);
+  }
+  return this->Tessellation;
+}
+
+vtkAlgorithm* StudyGeneration::ConfigureSource(const Study& study)
+{
+  if (HasMeshFiles(study))
+  {
+    return this->ConfigureReader(study);
+  }
+  return IsTriangulated(study.Mesh) ? this->ConfigureMesher(study)
+                                    : this->ConfigureTessellation(study);
+}
+
+void StudyGeneration::ConfigureAgglomeration(const StudyAgglomeration& agglomeration)
+{
+  this->Agglomeration->SetRuleByName(agglomeration.Rule);
+  for (const auto& [name, value] : agglomeration.Parameters)
+  {
+    this->Agglomeration->SetParameter(name, value);
+  }
+  this->Agglomeration->SetMetric(agglomeration.Metric);
+  this->Agglomeration->SetTargetNumberOfElements(agglomeration.Elements);
+  this->Agglomeration->SetTargetPercentage(agglomeration.Percentage);
+  this->Agglomeration->SetKeepPolygons(agglomeration.KeepPolygons);
+  const auto* mode =
+    std::find(StraightVertices.begin(), StraightVertices.end(), agglomeration.StraightVertices);
+  this->Agglomeration->SetStraightVertices(static_cast<int>(mode - StraightVertices.begin()));
+}
+
 vtkAlgorithm* StudyGeneration::Configure(const Study& study)
 {
-  return HasMeshFiles(study) ? this->ConfigureReader(study) : this->ConfigureMesher(study);
+  vtkAlgorithm* last = this->ConfigureSource(study);
+  const auto append = [&last](vtkAlgorithm* filter)
+  {
+    filter->SetInputConnection(last->GetOutputPort());
+    last = filter;
+  };
+  if (study.Mesh.Agglomeration.Rule != "none")
+  {
+    this->ConfigureAgglomeration(study.Mesh.Agglomeration);
+    append(this->Agglomeration);
+  }
+  return last;
 }
 
 } // namespace pemesh

@@ -3,8 +3,9 @@
 /**
  * The part of a pipeline that makes the meshes of a study, or reads them.
  *
- *     polygon layout -> domain mesher \
- *     mesh reader --------------------/
+ *     domain -> polygon layout -> domain mesher \
+ *     domain -> tessellation --------------------> agglomeration
+ *     mesh reader ------------------------------/
  */
 #ifndef pemesh_StudyGeneration_h
 #define pemesh_StudyGeneration_h
@@ -14,15 +15,18 @@
 #include <vtkNew.h> // For the filters
 
 class vtkAlgorithm;
+class vtkPEMAgglomerate;
 class vtkPEMDomain;
 class vtkPEMDomainMesher;
 class vtkPEMMeshReader;
 class vtkPEMPolygonLayout;
+class vtkPEMTessellation;
 
 namespace pemesh
 {
 
 struct Study;
+struct StudyAgglomeration;
 
 class StudyGeneration
 {
@@ -43,11 +47,16 @@ private:
   vtkAlgorithm* ConfigureReader(const Study& study);
   void ConfigureDomain(const Study& study);
   vtkAlgorithm* ConfigureMesher(const Study& study);
+  vtkAlgorithm* ConfigureTessellation(const Study& study);
+  vtkAlgorithm* ConfigureSource(const Study& study);
+  void ConfigureAgglomeration(const StudyAgglomeration& agglomeration);
 
   vtkNew<vtkPEMMeshReader> Reader;
   vtkNew<vtkPEMDomain> Domain;
   vtkNew<vtkPEMPolygonLayout> Layout;
   vtkNew<vtkPEMDomainMesher> Mesher;
+  vtkNew<vtkPEMTessellation> Tessellation;
+  vtkNew<vtkPEMAgglomerate> Agglomeration;
 };
 
 } // namespace pemesh

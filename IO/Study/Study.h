@@ -97,7 +97,7 @@ struct StudyAgglomeration
   int Elements = 0;        // where to stop; 0 = see Percentage
   double Percentage = 0.0; // of the elements; 0 = the rule's own
   bool KeepPolygons = true;
-  bool RemoveStraightVertices = false;
+  std::string StraightVertices = "keep"; // keep | remove-exact | remove-rounded
   bool operator==(const StudyAgglomeration&) const = default;
 };
 

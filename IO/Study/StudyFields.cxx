@@ -115,10 +115,21 @@ Field<Study> MeshesField()
     {
       place.Fail("is " + ShowValue(json) + ": name files, or a pattern such as \"folder/*.off\".");
     }
+    study.Mesh.Source = "files";
   };
   field.Write = [](const Study& study)
   { return HasMeshFiles(study) ? std::optional(WriteTexts(study.Meshes)) : std::nullopt; };
   return field;
+}
+
+void CheckSource(const DocumentPlace& place, const Study& study)
+{
+  const bool placesPolygons = !study.Polygons.empty();
+  if (placesPolygons && !IsTriangulated(study.Mesh))
+  {
+    place.Member("mesh").Member("source").Fail("is \"" + study.Mesh.Source +
+      "\", which takes no polygons; leave them out, or use the source triangulation.");
+  }
 }
 
 } // namespace
@@ -139,14 +150,13 @@ const FieldTable<Study>& StudyFields()
       ListField("polygons", &Study::Polygons, PolygonFields(), "The placed polygons.")
         .Only(makesMeshes, which),
       ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh."),
-      ObjectField("mesh", &Study::Mesh, MeshFields(), "How the domain is meshed.")
-        .Only(makesMeshes, which),
-      MetricsField(),
+      ObjectField("mesh", &Study::Mesh, MeshFields(), "How the meshes are made."), MetricsField(),
       ListField("solvers", &Study::Solvers, SolverFields(), "Runs of solvers on every mesh."),
       ListField("plots", &Study::Plots, PlotFields(), "The figures."),
       ObjectField("output", &Study::Output, OutputFields(), "What is written.") };
     result.Finish = [](const DocumentPlace& place, Study& study)
     {
+      CheckSource(place, study);
       FinishSweeps(place, study);
       NameRuns(place, study);
       FinishPlots(place, study);

@@ -27,10 +27,14 @@ void CheckSource(const JsonValue::Object& document, const DocumentPlace& place)
 
 void CheckHasSource(const JsonValue::Object& document, const DocumentPlace& place)
 {
-  if (!FindMember(document, "polygons") && !FindMember(document, "meshes"))
+  const JsonValue* mesh = FindMember(document, "mesh");
+  const auto* options = mesh ? mesh->As<JsonValue::Object>() : nullptr;
+  if (!FindMember(document, "polygons") && !FindMember(document, "meshes") &&
+    !(options && FindMember(*options, "source")))
   {
-    place.Fail("has neither polygons nor meshes: place polygons in the domain, or name mesh "
-               "files, for example \"meshes\": \"folder/*.off\".");
+    place.Fail("has neither polygons nor meshes nor mesh.source: place polygons in the domain, "
+               "name mesh files, for example \"meshes\": \"folder/*.off\", or a source of meshes, "
+               "for example \"mesh\": {\"source\": \"voronoi\"}.");
   }
 }
 

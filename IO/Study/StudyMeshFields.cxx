@@ -6,6 +6,7 @@
 #include "MetricRegistry.h"
 #include "ParameterFields.h"
 #include "StudyFields.h"
+#include "Tessellations.h"
 
 namespace pemesh
 {
@@ -14,6 +15,7 @@ namespace
 {
 
 constexpr const char* Triangulation = "triangulation";
+constexpr const char* FilesSource = "files";
 constexpr const char* FileShape = "file";
 constexpr const char* None = "none";
 constexpr int MostElements = 700'000'000;
@@ -149,8 +151,10 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
       BooleanField("keep-polygons", &StudyAgglomeration::KeepPolygons,
         "Whether placed polygons are left alone.")
         .Only(Merges, which),
-      BooleanField("remove-straight-vertices", &StudyAgglomeration::RemoveStraightVertices,
-        "Whether vertices that lie on a straight side of both their elements are removed.")
+      ChoiceField("straight-vertices", &StudyAgglomeration::StraightVertices,
+        { "keep", "remove-exact", "remove-rounded" },
+        "Whether vertices of two elements that lie on a straight side are removed: those exactly "
+        "on it, or those that only rounding keeps off it too.")
         .Only(Merges, which) });
   table.Finish = [rules](const DocumentPlace& place, StudyAgglomeration& agglomeration)
   {
@@ -166,6 +170,27 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
     }
   };
   return table;
+}
+
+Field<StudyMesh> SourceField()
+{
+  Field<StudyMesh> field = ChoiceField("source", &StudyMesh::Source,
+    ChoicesOf(Tessellations(), Triangulation, FilesSource),
+    "Where the meshes come from: triangles around the polygons, a tessellation of the domain "
+    "without polygons, or mesh files.");
+  const auto read = field.Read;
+  field.Read = [read](const JsonValue& json, const DocumentPlace& place, StudyMesh& mesh)
+  {
+    const bool isFiles = mesh.Source == FilesSource; // the study names mesh files
+    read(json, place, mesh);
+    if (isFiles != (mesh.Source == FilesSource))
+    {
+      place.Fail("is " + ShowValue(json) +
+        ": the source files belongs to a study with meshes, and "
+        "no other source does.");
+    }
+  };
+  return field;
 }
 
 } // namespace
@@ -195,26 +220,34 @@ FieldTable<StudyMesh> MeshFields()
 {
   const std::string which = std::string("the source ") + Triangulation;
   FieldTable<StudyMesh> table;
-  table.Fields = { ObjectField("max-area", &StudyMesh::MaximumArea, MaximumAreaFields(),
-                     "Bound on the area of the triangles.")
-                     .Only(IsTriangulated, which),
-    NumberField("min-angle", &StudyMesh::MinimumAngle, { 0.0, 33.0 },
-      "Degrees; above 33 refinement may never end.")
-      .Only(IsTriangulated, which),
-    BooleanField("preserve-polygons", &StudyMesh::PreservePolygons,
-      "Whether the edges of the polygons may not be split.")
-      .Only(IsTriangulated, which),
-    BooleanField("preserve-domain", &StudyMesh::PreserveDomain,
-      "Whether the edges of the domain may not be split.")
-      .Only(IsTriangulated, which),
-    ObjectField("target", &StudyMesh::Target, TargetFields(),
-      "Holds a number fixed, so that it does not confound what is swept.")
-      .Only(IsTriangulated, which),
-    IntegerField("mirror", &StudyMesh::Mirror, 0, 12,
-      "How often the mesh is reflected in x, in y and in both: four times the elements each."),
-    TileField(),
-    ObjectField("agglomerate", &StudyMesh::Agglomeration, AgglomerationFields(),
-      "Which elements are merged in the end.") };
+  const std::vector<ParameterizedEntry> sources = EntriesOf(Tessellations());
+  table.Fields = { SourceField() };
+  AppendFields(table,
+    ParameterFields<StudyMesh>(
+      sources, { &StudyMesh::Source, &StudyMesh::Parameters }, "the source"));
+  AppendFields<StudyMesh>(table,
+    { ObjectField("max-area", &StudyMesh::MaximumArea, MaximumAreaFields(),
+        "Bound on the area of the triangles.")
+        .Only(IsTriangulated, which),
+      NumberField("min-angle", &StudyMesh::MinimumAngle, { 0.0, 33.0 },
+        "Degrees; above 33 refinement may never end.")
+        .Only(IsTriangulated, which),
+      BooleanField("preserve-polygons", &StudyMesh::PreservePolygons,
+        "Whether the edges of the polygons may not be split.")
+        .Only(IsTriangulated, which),
+      BooleanField("preserve-domain", &StudyMesh::PreserveDomain,
+        "Whether the edges of the domain may not be split.")
+        .Only(IsTriangulated, which),
+      ObjectField("target", &StudyMesh::Target, TargetFields(),
+        "Holds a number fixed, so that it does not confound what is swept.")
+        .Only(IsTriangulated, which),
+      IntegerField("mirror", &StudyMesh::Mirror, 0, 12,
+        "How often the mesh is reflected in x, in y and in both: four times the elements each."),
+      TileField(),
+      ObjectField("agglomerate", &StudyMesh::Agglomeration, AgglomerationFields(),
+        "Which elements are merged in the end.") });
+  table.Finish = [sources](const DocumentPlace&, StudyMesh& mesh)
+  { CompleteParameters(ParametersOf(sources, mesh.Source), mesh.Parameters); };
   return table;
 }
 
