@@ -50,12 +50,33 @@ double LeastNumberOfTriangles(
   return area / maximumArea;
 }
 
-double SmallestAngle(const Point2& a, const Point2& b, const Point2& c)
+/** The smallest angle of all triangles in degrees; each one's is opposite to its shortest edge. */
+double SmallestAngle(const RefinableTriangulation& triangulation)
 {
-  const auto angle = [](const Point2& apex, const Point2& from, const Point2& to)
-  { return std::atan2(Cross(from - apex, to - apex), Dot(from - apex, to - apex)); };
-  const double smallest = std::min({ angle(a, b, c), angle(b, c, a), angle(c, a, b) });
-  return std::max(0.0, smallest) * 180.0 / std::numbers::pi;
+  double least = 0.75; // squared sine of 60 degrees
+  double angle = 60.0;
+  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
+  {
+    const Point2* corner[3];
+    double squared[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corner[i] = &triangulation.GetPoint(triangle.Vertex[i]);
+      squared[i] = SquaredDistance(triangulation.GetPoint(triangle.Vertex[(i + 1) % 3]),
+        triangulation.GetPoint(triangle.Vertex[(i + 2) % 3]));
+    }
+    const auto apex = static_cast<std::size_t>(std::min_element(squared, squared + 3) - squared);
+    const Point2 from = *corner[(apex + 1) % 3] - *corner[apex];
+    const Point2 to = *corner[(apex + 2) % 3] - *corner[apex];
+    const double cross = std::max(0.0, Cross(from, to)); // below 0 by rounding only
+    const double squaredSine = cross * cross / (squared[(apex + 1) % 3] * squared[(apex + 2) % 3]);
+    if (squaredSine < least)
+    {
+      least = squaredSine;
+      angle = std::atan2(cross, Dot(from, to)) * 180.0 / std::numbers::pi;
+    }
+  }
+  return angle;
 }
 
 using Loops = std::vector<std::vector<int>>;
@@ -150,15 +171,11 @@ void FillElements(const RefinableTriangulation& triangulation, const Loops& loop
   {
     elements.AddElement(loops[i]);
   }
-  mesh.AttainedMinimumAngle = 60.0;
   for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
   {
-    const int* vertex = triangle.Vertex;
-    elements.AddElement({ vertex, 3 });
-    mesh.AttainedMinimumAngle = std::min(mesh.AttainedMinimumAngle,
-      SmallestAngle(
-        elements.Points[vertex[0]], elements.Points[vertex[1]], elements.Points[vertex[2]]));
+    elements.AddElement({ triangle.Vertex, 3 });
   }
+  mesh.AttainedMinimumAngle = SmallestAngle(triangulation);
 }
 
 } // namespace
@@ -174,7 +191,8 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
     return mesh;
   }
   const DomainBoundary boundary = MakeDomainBoundary(domain, polygons);
-  RefinableTriangulation triangulation = TriangulateDomain(boundary);
+  DomainTriangulation domainTriangulation = TriangulateDomain(boundary);
+  const RefinableTriangulation& triangulation = domainTriangulation.Inside;
 
   RefinementOptions refinement;
   refinement.MinimumAngle = options.MinimumAngle;
@@ -184,7 +202,7 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
   std::fill_n(
     refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
-  switch (RefineTriangulation(triangulation, boundary, refinement))
+  switch (RefineTriangulation(domainTriangulation, boundary, refinement))
   {
     case RefinementOutcome::Done:
       break;

@@ -108,7 +108,7 @@ TEST(DomainMesher, TooManyElementsIsAFailureOfTheCase)
 
   generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
   generation.Mesher->SetMaximumArea(0.002);
-  generation.Mesher->SetMaximumNumberOfElements(600); // more than 1 / 0.002, less than it takes
+  generation.Mesher->SetMaximumNumberOfElements(520); // more than 1 / 0.002, less than it takes
   mesh = generation.MeshAt(0.5);
   EXPECT_EQ(pemesh::GetCaseStatus(mesh), "meshing-failed");
   generation.Mesher->SetMaximumNumberOfElements(2000);
