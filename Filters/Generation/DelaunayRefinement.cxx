@@ -6,6 +6,7 @@
 #include "LatticePoints.h"
 #include "PlaneVectors.h"
 #include "Predicates.h"
+#include "SizeField.h"
 #include "TriangulationWalk.h"
 
 #include <algorithm>
@@ -22,6 +23,9 @@ namespace
 
 /** Off-centres lie this little nearer than the angle needs, so that rounding cannot spoil it. */
 constexpr double OffCenterFactor = 0.95;
+
+/** Areas keep this little below their bound, so that rounding in whoever measures finds no more. */
+constexpr double RoundingShare = 1.0 - 1e-12;
 
 /** What is known of a triangle: its shortest edge, and why it has to go. */
 struct Shape
@@ -55,27 +59,6 @@ struct BadTriangle
   }
 };
 
-/** A preserved segment that is long for the area bound, which is graded towards it. */
-struct LongSegment
-{
-  Point2 From;
-  Point2 To;
-  double Length;
-};
-
-/** Side of the equilateral triangle of this area. */
-double SideOfArea(double area)
-{
-  return 2.0 * std::sqrt(area / std::numbers::sqrt3);
-}
-
-double DistanceToSegment(const Point2& point, const Point2& from, const Point2& to)
-{
-  const Point2 along = to - from;
-  const double place = std::clamp(Dot(point - from, along) / Dot(along, along), 0.0, 1.0);
-  return std::sqrt(SquaredDistance(point, { from.x + place * along.x, from.y + place * along.y }));
-}
-
 enum class Attempt
 {
   Inserted,
@@ -102,8 +85,6 @@ public:
 
 private:
   bool InsertLattice();
-  void FindLongSegments();
-  double AreaBound(const Point2& point) const;
   Shape Measure(int triangle) const;
   void Judge(int triangle);
   void LookAtStar();
@@ -121,10 +102,10 @@ private:
   const DomainBoundary& Boundary;
   const RefinementOptions& Options;
   BoundarySplitter Splitter;
+  SizeField Size;
   double SquaredSine;   ///< of the minimum angle
   double CotangentHalf; ///< of half of it
   double CosineTwice;   ///< of twice of it
-  std::vector<LongSegment> LongSegments;
   std::priority_queue<BadTriangle> Bad;
   std::uint64_t NextOrder = 0;
   std::size_t PointsWaiting = 0;
@@ -140,55 +121,14 @@ Refinement::Refinement(DomainTriangulation& triangulation, const DomainBoundary&
   , Boundary(boundary)
   , Options(options)
   , Splitter(triangulation.Inside, boundary, options.Preserved, [this] { this->LookAtStar(); })
+  , Size(boundary,
+      { options.MaximumArea, options.Gradation, options.SizeAtPolygons, options.Preserved })
 {
   const double angle = options.MinimumAngle * std::numbers::pi / 180.0;
   // A little more than asked for, so that rounding in whoever measures finds no less.
   this->SquaredSine = std::sin(angle) * std::sin(angle) * (1.0 + 1e-10);
   this->CotangentHalf = 1.0 / std::tan(0.5 * angle);
   this->CosineTwice = std::cos(2.0 * angle);
-  this->FindLongSegments();
-}
-
-void Refinement::FindLongSegments()
-{
-  const double side = SideOfArea(this->Options.MaximumArea);
-  for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
-  {
-    const RefinableTriangulation::Segment& piece = this->Mesh.GetSegment(segment);
-    if (!this->Options.Preserved[piece.Input])
-    {
-      continue;
-    }
-    const int* vertex = this->Mesh.GetTriangle(piece.Triangle).Vertex;
-    const int edge = this->Mesh.EdgeOfSegment(segment);
-    const Point2& from = this->Mesh.GetPoint(vertex[(edge + 1) % 3]);
-    const Point2& to = this->Mesh.GetPoint(vertex[(edge + 2) % 3]);
-    const double length = std::sqrt(SquaredDistance(from, to));
-    if (length > side)
-    {
-      this->LongSegments.push_back({ from, to, length });
-    }
-  }
-}
-
-/**
- * The area bound at a point. An edge that must keep its length L has a round triangle only if that
- * is about as large as L; so the side of triangles falls from L at the edge with the slope
- * `Grading` of the distance to it, until it is that of the bound. Without this the bound would
- * force flat triangles, layer upon layer. The slope was tried out on pairs of families: up to 1.5
- * the minimum angle of 20 degrees was reached but for single triangles at a preserved edge, from 2
- * on it was not.
- */
-double Refinement::AreaBound(const Point2& point) const
-{
-  constexpr double Grading = 1.5;
-  double side = 0.0;
-  for (const LongSegment& segment : this->LongSegments)
-  {
-    side =
-      std::max(side, segment.Length - Grading * DistanceToSegment(point, segment.From, segment.To));
-  }
-  return std::max(this->Options.MaximumArea, 0.25 * std::numbers::sqrt3 * side * side);
 }
 
 Shape Refinement::Measure(int triangle) const
@@ -210,10 +150,10 @@ Shape Refinement::Measure(int triangle) const
   // The smallest angle is at the apex, and its sine is twice the area over the two long sides.
   const double sides = squared[(edge + 1) % 3] * squared[(edge + 2) % 3];
   shape.TooFlat = 4.0 * shape.Area * shape.Area < this->SquaredSine * sides;
-  shape.TooLarge = shape.Area > this->Options.MaximumArea * (1.0 - 1e-12);
-  if (shape.TooLarge && !this->LongSegments.empty())
+  shape.TooLarge = shape.Area > this->Size.GetLeastBound() * RoundingShare;
+  if (shape.TooLarge && !this->Size.IsUniform())
   {
-    shape.TooLarge = shape.Area > this->AreaBound(Centroid(shape)) * (1.0 - 1e-12);
+    shape.TooLarge = this->Size.IsTooLarge(shape.Area / RoundingShare, Centroid(shape));
   }
   return shape;
 }
@@ -226,7 +166,7 @@ void Refinement::Judge(int triangle)
   {
     return;
   }
-  double badness = 2.0 + shape.Area / this->Options.MaximumArea;
+  double badness = 2.0 + shape.Area / this->Size.GetLeastBound();
   if (!shape.TooLarge)
   {
     const Point2 from = shape.From - shape.Apex;
@@ -355,7 +295,7 @@ Attempt Refinement::RefineLarge(int triangle, const Shape& shape)
 {
   const Point2 center = AboveEdge(shape, this->CenterHeight(shape));
   const Attempt attempt = this->TryPoint(triangle, center, Purpose::Area, 0.0, 0.0);
-  if (attempt != Attempt::Refused || !this->LongSegments.empty())
+  if (attempt != Attempt::Refused || this->Size.HasLongPreservedSegments())
   {
     return attempt;
   }
@@ -402,7 +342,7 @@ bool Refinement::InsertLattice()
   for (const Point2& point : points)
   {
     --this->PointsWaiting;
-    if (!this->LongSegments.empty() && this->AreaBound(point) > this->Options.MaximumArea)
+    if (!this->Size.IsUniform() && this->Size.AreaBoundAt(point) != this->Options.MaximumArea)
     {
       continue;
     }

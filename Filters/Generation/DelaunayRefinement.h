@@ -25,7 +25,7 @@
  * reason counts only for triangles that touch a preserved segment anyway. If no point will do, the
  * triangle stays. A triangle that is too large is split, at a point inside it if need be; near
  * preserved segments longer than the side of an equilateral triangle of that area the bound is
- * graded up to their length, because it would force flat triangles there.
+ * graded up to their length, because it would force flat triangles there (SizeField.h).
  */
 #ifndef pemesh_DelaunayRefinement_h
 #define pemesh_DelaunayRefinement_h
@@ -44,6 +44,8 @@ struct RefinementOptions
 {
   double MinimumAngle = 20.0; ///< degrees
   double MaximumArea = std::numeric_limits<double>::infinity();
+  double Gradation = 0.0;      ///< see SizeField.h
+  double SizeAtPolygons = 0.0; ///< see SizeField.h
   std::vector<bool> Preserved; ///< an input segment each
   int MaximumTriangles = 20000000;
   std::function<bool(double)> Progress; ///< takes the fraction done; false means stop

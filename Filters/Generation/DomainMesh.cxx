@@ -185,8 +185,10 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
 {
   DomainMesh mesh;
   const double least = LeastNumberOfTriangles(domain, polygons, options.MaximumArea);
+  mesh.MaximumArea = options.MaximumArea;
   if (least > options.MaximumElements)
   {
+    mesh.Status = DomainMeshStatus::TooManyElements;
     mesh.Message = TooManyElements(options, least);
     return mesh;
   }
@@ -197,6 +199,8 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   RefinementOptions refinement;
   refinement.MinimumAngle = options.MinimumAngle;
   refinement.MaximumArea = options.MaximumArea;
+  refinement.Gradation = options.Gradation;
+  refinement.SizeAtPolygons = options.SizeAtPolygons;
   refinement.MaximumTriangles = options.MaximumElements;
   refinement.Progress = options.Progress;
   refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
@@ -207,6 +211,7 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
     case RefinementOutcome::Done:
       break;
     case RefinementOutcome::TooManyTriangles:
+      mesh.Status = DomainMeshStatus::TooManyElements;
       mesh.Message = TooManyElements(options, 0.0);
       return mesh;
     case RefinementOutcome::Stopped:
