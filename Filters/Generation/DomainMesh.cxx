@@ -4,12 +4,14 @@
 
 #include "DelaunayRefinement.h"
 #include "DomainTriangulation.h"
+#include "NarrowGaps.h"
 #include "NumberText.h"
 #include "PlaneVectors.h"
 #include "PolygonMeasures.h"
 #include "PolygonValidity.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -31,11 +33,54 @@ std::string TooManyElements(const DomainMeshOptions& options, double expected)
   return message + "; choose a larger maximum area, a smaller minimum angle or a higher limit.";
 }
 
-std::string TooThin(int loop, std::size_t numberOfPolygons)
+/** What messages call a loop: polygons come first. */
+std::string NameOfLoop(
+  std::size_t loop, std::size_t numberOfPolygons, const DomainMeshOptions& options)
 {
-  const bool isPolygon = loop < static_cast<int>(numberOfPolygons);
-  return (isPolygon ? "Polygon " + std::to_string(loop + 1) : std::string("The domain")) +
-    " is too thin for its edges to be split in double precision; preserve them.";
+  if (loop >= numberOfPolygons)
+  {
+    return "the border of the domain";
+  }
+  return loop < options.PolygonNames.size() ? options.PolygonNames[loop]
+                                            : "polygon " + std::to_string(loop + 1);
+}
+
+/** The loop that a vertex or segment of the boundary belongs to, if it is one of a polygon. */
+std::size_t LoopOf(int segment, const std::vector<std::vector<Point2>>& polygons)
+{
+  std::size_t loop = 0;
+  for (int first = 0; loop < polygons.size(); ++loop)
+  {
+    first += static_cast<int>(polygons[loop].size());
+    if (segment < first)
+    {
+      break;
+    }
+  }
+  return loop;
+}
+
+/** Two significant digits. */
+std::string About(double value)
+{
+  char text[32];
+  const auto end =
+    std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 2).ptr;
+  return { text, end };
+}
+
+std::string TooNarrow(const NarrowGaps& gaps, const std::vector<std::vector<Point2>>& polygons,
+  const DomainMeshOptions& options)
+{
+  const std::size_t loops[2] = { LoopOf(gaps.Segments[0], polygons),
+    LoopOf(gaps.Segments[1], polygons) };
+  const std::string first = NameOfLoop(loops[0], polygons.size(), options);
+  const std::string second = NameOfLoop(loops[1], polygons.size(), options);
+  const std::string where =
+    loops[0] == loops[1] ? "between two edges of " + first : "between " + first + " and " + second;
+  return "A gap " + where + " is only " + About(gaps.Width) + " wide and would take about " +
+    About(gaps.MostTriangles) + " triangles, more than the limit of " +
+    std::to_string(options.MaximumElements) + " elements allows; widen it, or preserve the edges.";
 }
 
 /** Least number of triangles that the area bound asks for. */
@@ -206,6 +251,13 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
   std::fill_n(
     refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
+  const NarrowGaps gaps = FindNarrowGaps(triangulation, refinement.Preserved, options.MinimumAngle);
+  if (gaps.Triangles > options.MaximumElements)
+  {
+    mesh.Status = DomainMeshStatus::TooManyElements;
+    mesh.Message = TooNarrow(gaps, polygons, options);
+    return mesh;
+  }
   switch (RefineTriangulation(domainTriangulation, boundary, refinement))
   {
     case RefinementOutcome::Done:
@@ -232,7 +284,9 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   const int spoilt = FindSpoiltLoop(triangulation.GetPoints(), loops, given);
   if (spoilt >= 0)
   {
-    mesh.Message = TooThin(spoilt, polygons.size());
+    mesh.Message = "The mesh cannot be made: " +
+      NameOfLoop(static_cast<std::size_t>(spoilt), polygons.size(), options) +
+      " is too thin for its edges to be split in double precision; preserve them.";
     return mesh;
   }
   FillElements(triangulation, loops, polygons.size(), mesh);

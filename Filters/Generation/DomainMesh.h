@@ -27,7 +27,8 @@ struct DomainMeshOptions
   bool PreservePolygons = false; ///< split none of their edges
   bool PreserveDomain = false;   ///< nor of the domain's own loops
   int MaximumElements = 20000000;
-  std::function<bool(double)> Progress; ///< takes the fraction done; false means stop
+  std::vector<std::string> PolygonNames; ///< for messages; empty: "polygon 1" and so on
+  std::function<bool(double)> Progress;  ///< takes the fraction done; false means stop
 };
 
 enum class DomainMeshStatus

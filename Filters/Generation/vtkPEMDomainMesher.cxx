@@ -255,7 +255,11 @@ int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<std::vector<pemesh::Point2>> polygons = CounterClockwisePolygons(layout);
-  const pemesh::DomainMeshOptions options = this->MakeOptions(polygons);
+  pemesh::DomainMeshOptions options = this->MakeOptions(polygons);
+  for (const pemesh::PlacedPolygon& polygon : layout.Polygons)
+  {
+    options.PolygonNames.push_back(polygon.Name);
+  }
   const pemesh::DomainMesh mesh =
     MeshOrExplain(domain, polygons, options, static_cast<int>(this->TargetNumberOfElements));
   if (mesh.Status == pemesh::DomainMeshStatus::Stopped)
