@@ -4,12 +4,14 @@
 
 #include "DelaunayRefinement.h"
 #include "DomainTriangulation.h"
+#include "NarrowGaps.h"
 #include "NumberText.h"
 #include "PlaneVectors.h"
 #include "PolygonMeasures.h"
 #include "PolygonValidity.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -31,11 +33,54 @@ std::string TooManyElements(const DomainMeshOptions& options, double expected)
   return message + "; choose a larger maximum area, a smaller minimum angle or a higher limit.";
 }
 
-std::string TooThin(int loop, std::size_t numberOfPolygons)
+/** What messages call a loop: polygons come first. */
+std::string NameOfLoop(
+  std::size_t loop, std::size_t numberOfPolygons, const DomainMeshOptions& options)
 {
-  const bool isPolygon = loop < static_cast<int>(numberOfPolygons);
-  return (isPolygon ? "Polygon " + std::to_string(loop + 1) : std::string("The domain")) +
-    " is too thin for its edges to be split in double precision; preserve them.";
+  if (loop >= numberOfPolygons)
+  {
+    return "the border of the domain";
+  }
+  return loop < options.PolygonNames.size() ? options.PolygonNames[loop]
+                                            : "polygon " + std::to_string(loop + 1);
+}
+
+/** The loop that a vertex or segment of the boundary belongs to, if it is one of a polygon. */
+std::size_t LoopOf(int segment, const std::vector<std::vector<Point2>>& polygons)
+{
+  std::size_t loop = 0;
+  for (int first = 0; loop < polygons.size(); ++loop)
+  {
+    first += static_cast<int>(polygons[loop].size());
+    if (segment < first)
+    {
+      break;
+    }
+  }
+  return loop;
+}
+
+/** Two significant digits. */
+std::string About(double value)
+{
+  char text[32];
+  const auto end =
+    std::to_chars(text, text + sizeof(text), value, std::chars_format::general, 2).ptr;
+  return { text, end };
+}
+
+std::string TooNarrow(const NarrowGaps& gaps, const std::vector<std::vector<Point2>>& polygons,
+  const DomainMeshOptions& options)
+{
+  const std::size_t loops[2] = { LoopOf(gaps.Segments[0], polygons),
+    LoopOf(gaps.Segments[1], polygons) };
+  const std::string first = NameOfLoop(loops[0], polygons.size(), options);
+  const std::string second = NameOfLoop(loops[1], polygons.size(), options);
+  const std::string where =
+    loops[0] == loops[1] ? "between two edges of " + first : "between " + first + " and " + second;
+  return "A gap " + where + " is only " + About(gaps.Width) + " wide and would take about " +
+    About(gaps.MostTriangles) + " triangles, more than the limit of " +
+    std::to_string(options.MaximumElements) + " elements allows; widen it, or preserve the edges.";
 }
 
 /** Least number of triangles that the area bound asks for. */
@@ -50,12 +95,33 @@ double LeastNumberOfTriangles(
   return area / maximumArea;
 }
 
-double SmallestAngle(const Point2& a, const Point2& b, const Point2& c)
+/** The smallest angle of all triangles in degrees; each one's is opposite to its shortest edge. */
+double SmallestAngle(const RefinableTriangulation& triangulation)
 {
-  const auto angle = [](const Point2& apex, const Point2& from, const Point2& to)
-  { return std::atan2(Cross(from - apex, to - apex), Dot(from - apex, to - apex)); };
-  const double smallest = std::min({ angle(a, b, c), angle(b, c, a), angle(c, a, b) });
-  return std::max(0.0, smallest) * 180.0 / std::numbers::pi;
+  double least = 0.75; // squared sine of 60 degrees
+  double angle = 60.0;
+  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
+  {
+    const Point2* corner[3];
+    double squared[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corner[i] = &triangulation.GetPoint(triangle.Vertex[i]);
+      squared[i] = SquaredDistance(triangulation.GetPoint(triangle.Vertex[(i + 1) % 3]),
+        triangulation.GetPoint(triangle.Vertex[(i + 2) % 3]));
+    }
+    const auto apex = static_cast<std::size_t>(std::min_element(squared, squared + 3) - squared);
+    const Point2 from = *corner[(apex + 1) % 3] - *corner[apex];
+    const Point2 to = *corner[(apex + 2) % 3] - *corner[apex];
+    const double cross = std::max(0.0, Cross(from, to)); // below 0 by rounding only
+    const double squaredSine = cross * cross / (squared[(apex + 1) % 3] * squared[(apex + 2) % 3]);
+    if (squaredSine < least)
+    {
+      least = squaredSine;
+      angle = std::atan2(cross, Dot(from, to)) * 180.0 / std::numbers::pi;
+    }
+  }
+  return angle;
 }
 
 using Loops = std::vector<std::vector<int>>;
@@ -150,15 +216,11 @@ void FillElements(const RefinableTriangulation& triangulation, const Loops& loop
   {
     elements.AddElement(loops[i]);
   }
-  mesh.AttainedMinimumAngle = 60.0;
   for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
   {
-    const int* vertex = triangle.Vertex;
-    elements.AddElement({ vertex, 3 });
-    mesh.AttainedMinimumAngle = std::min(mesh.AttainedMinimumAngle,
-      SmallestAngle(
-        elements.Points[vertex[0]], elements.Points[vertex[1]], elements.Points[vertex[2]]));
+    elements.AddElement({ triangle.Vertex, 3 });
   }
+  mesh.AttainedMinimumAngle = SmallestAngle(triangulation);
 }
 
 } // namespace
@@ -168,27 +230,40 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
 {
   DomainMesh mesh;
   const double least = LeastNumberOfTriangles(domain, polygons, options.MaximumArea);
+  mesh.MaximumArea = options.MaximumArea;
   if (least > options.MaximumElements)
   {
+    mesh.Status = DomainMeshStatus::TooManyElements;
     mesh.Message = TooManyElements(options, least);
     return mesh;
   }
   const DomainBoundary boundary = MakeDomainBoundary(domain, polygons);
-  RefinableTriangulation triangulation = TriangulateDomain(boundary);
+  DomainTriangulation domainTriangulation = TriangulateDomain(boundary);
+  const RefinableTriangulation& triangulation = domainTriangulation.Inside;
 
   RefinementOptions refinement;
   refinement.MinimumAngle = options.MinimumAngle;
   refinement.MaximumArea = options.MaximumArea;
+  refinement.Gradation = options.Gradation;
+  refinement.SizeAtPolygons = options.SizeAtPolygons;
   refinement.MaximumTriangles = options.MaximumElements;
   refinement.Progress = options.Progress;
   refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
   std::fill_n(
     refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
-  switch (RefineTriangulation(triangulation, boundary, refinement))
+  const NarrowGaps gaps = FindNarrowGaps(triangulation, refinement.Preserved, options.MinimumAngle);
+  if (gaps.Triangles > options.MaximumElements)
+  {
+    mesh.Status = DomainMeshStatus::TooManyElements;
+    mesh.Message = TooNarrow(gaps, polygons, options);
+    return mesh;
+  }
+  switch (RefineTriangulation(domainTriangulation, boundary, refinement))
   {
     case RefinementOutcome::Done:
       break;
     case RefinementOutcome::TooManyTriangles:
+      mesh.Status = DomainMeshStatus::TooManyElements;
       mesh.Message = TooManyElements(options, 0.0);
       return mesh;
     case RefinementOutcome::Stopped:
@@ -209,7 +284,9 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   const int spoilt = FindSpoiltLoop(triangulation.GetPoints(), loops, given);
   if (spoilt >= 0)
   {
-    mesh.Message = TooThin(spoilt, polygons.size());
+    mesh.Message = "The mesh cannot be made: " +
+      NameOfLoop(static_cast<std::size_t>(spoilt), polygons.size(), options) +
+      " is too thin for its edges to be split in double precision; preserve them.";
     return mesh;
   }
   FillElements(triangulation, loops, polygons.size(), mesh);

@@ -22,17 +22,22 @@ struct DomainMeshOptions
 {
   double MinimumAngle = 20.0;                                   ///< degrees
   double MaximumArea = std::numeric_limits<double>::infinity(); ///< of a triangle
-  bool PreservePolygons = false;                                ///< split none of their edges
-  bool PreserveDomain = false;                                  ///< nor of the domain's own loops
+  double Gradation = 0.0;        ///< growth of edges with the distance from polygons; 0: off
+  double SizeAtPolygons = 0.0;   ///< wanted edge length there; 0: that of the polygon's own edge
+  bool PreservePolygons = false; ///< split none of their edges
+  bool PreserveDomain = false;   ///< nor of the domain's own loops
   int MaximumElements = 20000000;
-  std::function<bool(double)> Progress; ///< takes the fraction done; false means stop
+  std::vector<std::string> PolygonNames; ///< for messages; empty: "polygon 1" and so on
+  std::function<bool(double)> Progress;  ///< takes the fraction done; false means stop
 };
 
 enum class DomainMeshStatus
 {
   Done,
-  Failed, ///< DomainMesh::Message says why
-  Stopped ///< Progress said so
+  Failed,           ///< DomainMesh::Message says why
+  TooManyElements,  ///< more than MaximumElements: the same
+  TargetNotReached, ///< MeshDomainToCount: the same
+  Stopped           ///< Progress said so
 };
 
 struct DomainMesh
@@ -46,6 +51,7 @@ struct DomainMesh
    */
   PolygonMesh Elements;
   double AttainedMinimumAngle = 0.0; ///< degrees, of the triangles
+  double MaximumArea = 0.0;          ///< the bound it was made with
 };
 
 /** More elements than this have more sides than an index can count. */
@@ -58,6 +64,16 @@ inline constexpr int MostElements = 700000000;
  */
 PEMESHFILTERSGENERATION_EXPORT DomainMesh MeshDomain(const Domain& domain,
   const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options);
+
+/** How near the number of elements must come to a target: relative. */
+inline constexpr double CountTolerance = 0.02;
+
+/**
+ * The same with the maximum area that gives the target number of elements (polygons and triangles,
+ * at least 1) to within CountTolerance; that of the options is not used. See CountSearch.h.
+ */
+PEMESHFILTERSGENERATION_EXPORT DomainMesh MeshDomainToCount(const Domain& domain,
+  const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options, int target);
 
 } // namespace pemesh
 

@@ -10,6 +10,7 @@
 #include "Point2.h"
 #include "RefinableTriangulation.h"
 
+#include <limits>
 #include <vector>
 
 namespace pemesh
@@ -43,10 +44,29 @@ DomainBoundary MakeDomainBoundary(
   const Domain& domain, const std::vector<std::vector<Point2>>& polygons);
 
 /**
+ * What is left of the convex hull of the domain: triangles in holes, polygons and bays, so that a
+ * walk from one point of the domain to another can pass there.
+ */
+struct OutsideTriangles
+{
+  /** Neighbours are other triangles outside, segments s as ~s, or nothing: OutsideHull. */
+  std::vector<RefinableTriangulation::Triangle> Triangles;
+  std::vector<int> Beyond; ///< a segment each: the triangle on its right, or OutsideHull
+
+  static constexpr int OutsideHull = std::numeric_limits<int>::max();
+};
+
+struct DomainTriangulation
+{
+  RefinableTriangulation Inside;
+  OutsideTriangles Outside;
+};
+
+/**
  * The constrained Delaunay triangulation of what the boundary encloses. Segment i of the
  * triangulation is segment i of the boundary. Throws std::runtime_error if loops meet.
  */
-RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary);
+DomainTriangulation TriangulateDomain(const DomainBoundary& boundary);
 
 } // namespace pemesh
 

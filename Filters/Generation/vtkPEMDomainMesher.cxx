@@ -96,17 +96,26 @@ std::vector<std::vector<pemesh::Point2>> CounterClockwisePolygons(const Layout& 
   return polygons;
 }
 
+/** The word of the status for what became of a mesh. */
+const char* StatusWord(pemesh::DomainMeshStatus status)
+{
+  return status == pemesh::DomainMeshStatus::TargetNotReached ? "target-not-reached"
+                                                              : "meshing-failed";
+}
+
 pemesh::DomainMesh MeshOrExplain(const pemesh::Domain& domain,
   const std::vector<std::vector<pemesh::Point2>>& polygons,
-  const pemesh::DomainMeshOptions& options)
+  const pemesh::DomainMeshOptions& options, int target)
 {
   try
   {
-    return pemesh::MeshDomain(domain, polygons, options);
+    return target > 0 ? pemesh::MeshDomainToCount(domain, polygons, options, target)
+                      : pemesh::MeshDomain(domain, polygons, options);
   }
   catch (const std::exception& error) // also of CGAL, and of memory that is not there
   {
     pemesh::DomainMesh mesh;
+    mesh.MaximumArea = options.MaximumArea;
     mesh.Message = std::string("The domain could not be meshed: ") + error.what();
     return mesh;
   }
@@ -176,6 +185,14 @@ std::string vtkPEMDomainMesher::WhyMisconfigured() const
   {
     return "MinimumAngle is not a number, expected 0 to 33 degrees.";
   }
+  for (const auto& [name, value] :
+    { std::pair("Gradation", this->Gradation), { "SizeAtPolygons", this->SizeAtPolygons } })
+  {
+    if (!(value >= 0.0 && std::isfinite(value)))
+    {
+      return std::string(name) + " is " + pemesh::FormatNumber(value) + ", expected 0 or more.";
+    }
+  }
   if (this->AreaRule == AREA_CONSTANT && !(this->MaximumArea > 0.0))
   {
     return "MaximumArea is " + pemesh::FormatNumber(this->MaximumArea) + ", expected more than 0.";
@@ -190,6 +207,8 @@ pemesh::DomainMeshOptions vtkPEMDomainMesher::MakeOptions(
   options.MinimumAngle = this->MinimumAngle;
   options.MaximumArea = pemesh::AreaRules()[this->AreaRule].MaximumArea(
     { polygons, this->MinimumAngle, this->MaximumArea });
+  options.Gradation = this->Gradation;
+  options.SizeAtPolygons = this->SizeAtPolygons;
   options.PreservePolygons = this->PreservePolygons;
   options.PreserveDomain = this->PreserveDomain;
   options.MaximumElements = static_cast<int>(this->MaximumNumberOfElements);
@@ -236,23 +255,30 @@ int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   const std::vector<std::vector<pemesh::Point2>> polygons = CounterClockwisePolygons(layout);
-  const pemesh::DomainMeshOptions options = this->MakeOptions(polygons);
+  pemesh::DomainMeshOptions options = this->MakeOptions(polygons);
+  for (const pemesh::PlacedPolygon& polygon : layout.Polygons)
+  {
+    options.PolygonNames.push_back(polygon.Name);
+  }
+  const pemesh::DomainMesh mesh =
+    MeshOrExplain(domain, polygons, options, static_cast<int>(this->TargetNumberOfElements));
+  if (mesh.Status == pemesh::DomainMeshStatus::Stopped)
+  {
+    output->Initialize(); // the caller does not want it
+    return 1;
+  }
+  const bool isDone = mesh.Status == pemesh::DomainMeshStatus::Done;
   pemesh::SetFieldNumber(
-    output, "MaximumArea", std::isfinite(options.MaximumArea) ? options.MaximumArea : Undefined);
-  const pemesh::DomainMesh mesh = MeshOrExplain(domain, polygons, options);
-  pemesh::SetFieldNumber(output, "AttainedMinimumAngle",
-    mesh.Status == pemesh::DomainMeshStatus::Done ? mesh.AttainedMinimumAngle : Undefined);
-  if (mesh.Status == pemesh::DomainMeshStatus::Done)
+    output, "MaximumArea", std::isfinite(mesh.MaximumArea) ? mesh.MaximumArea : Undefined);
+  pemesh::SetFieldNumber(
+    output, "AttainedMinimumAngle", isDone ? mesh.AttainedMinimumAngle : Undefined);
+  if (isDone)
   {
     WriteMesh(mesh.Elements, layout, output);
   }
-  else if (mesh.Status == pemesh::DomainMeshStatus::Failed)
+  else
   {
-    pemesh::SetCaseFailed(output, "meshing-failed", mesh.Message);
-  }
-  else // stopped by the caller, who does not want the output
-  {
-    output->Initialize();
+    pemesh::SetCaseFailed(output, StatusWord(mesh.Status), mesh.Message);
   }
   return 1;
 }
@@ -263,6 +289,9 @@ void vtkPEMDomainMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaRule: " << this->GetAreaRuleName() << "\n";
   os << indent << "MaximumArea: " << this->MaximumArea << "\n";
   os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
+  os << indent << "TargetNumberOfElements: " << this->TargetNumberOfElements << "\n";
+  os << indent << "Gradation: " << this->Gradation << "\n";
+  os << indent << "SizeAtPolygons: " << this->SizeAtPolygons << "\n";
   os << indent << "PreservePolygons: " << this->PreservePolygons << "\n";
   os << indent << "PreserveDomain: " << this->PreserveDomain << "\n";
   os << indent << "MaximumNumberOfElements: " << this->MaximumNumberOfElements << "\n";

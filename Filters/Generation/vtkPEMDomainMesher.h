@@ -16,22 +16,22 @@
  *   "PolygonId" (vtkIntArray) as of the input, -1 for a filler,
  * the field data of the input, and the field numbers
  *   "AttainedMinimumAngle" [degrees] smallest angle of the fillers |
- *   "MaximumArea" [length^2] the bound that the area rule gave; NaN if there is none.
+ *   "MaximumArea" [length^2] the bound that the area rule gave, or the search for the target
+ *   number of elements; NaN if there is none.
  *
  * The triangles form a constrained Delaunay triangulation of the domain minus the polygons, refined
- * until no triangle is larger than the area rule allows or has an angle below the minimum. Edges of
- * polygons and of the domain are split where the refinement asks for it: they gain straight
- * vertices, as straight as doubles can be (exactly straight on upright and level edges). The
- * triangulation then is conforming: no vertex lies in the smallest circle through the ends of an
- * edge of a polygon or the domain that it sees; and every angle reaches the minimum, unless two
- * edges enclose a smaller one between them.
- * With PreservePolygons no polygon edge is split, with PreserveDomain none of the domain's loops:
- * they keep exactly their own vertices, and triangles that touch them, or lie where a long
- * preserved edge leaves too little room, may keep smaller angles. The area bound always holds, but
- * near a preserved edge that is longer than the side of an equilateral triangle of that area: there
- * the side allowed is the length of the edge less 1.5 times the distance to it, because smaller
- * triangles would be flat, layer upon layer; a triangle that touches such an edge may be larger
- * still if no point would improve it.
+ * until no triangle is larger than the area rule (and Gradation) allows or has an angle below the
+ * minimum. Edges of polygons and of the domain are split where the refinement asks for it: they
+ * gain straight vertices, as straight as doubles can be (exactly straight on upright and level
+ * edges). The triangulation then is conforming: no vertex lies in the smallest circle through the
+ * ends of an edge of a polygon or the domain that it sees; and every angle reaches the minimum,
+ * unless two edges enclose a smaller one between them. With PreservePolygons no polygon edge is
+ * split, with PreserveDomain none of the domain's loops: they keep exactly their own vertices, and
+ * triangles that touch them, or lie where a long preserved edge leaves too little room, may keep
+ * smaller angles. The area bound always holds, but near a preserved edge that is longer than the
+ * side of an equilateral triangle of that area: there the side allowed is the length of the edge
+ * less 1.5 times the distance to it, because smaller triangles would be flat, layer upon layer; a
+ * triangle that touches such an edge may be larger still if no point would improve it.
  *
  * Failures of one case (see CaseStatus.h): "invalid-layout" if polygons cross themselves, overlap,
  * touch, leave or touch the border of the domain, or meet one of its holes (the message names them
@@ -113,6 +113,38 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The number of elements wanted, polygons and triangles, to be met within 2 %; 0: off. The area
+   * rule is then not used: the maximum area is searched for, and the field number "MaximumArea"
+   * holds the one found. Valid range [0, 700000000]. Default 0.
+   */
+  vtkSetClampMacro(TargetNumberOfElements, vtkIdType, 0, 700000000);
+  vtkGetMacro(TargetNumberOfElements, vtkIdType);
+  ///@}
+
+  ///@{
+  /**
+   * How much the wanted edge length grows per unit of distance from the polygons: triangles are
+   * small at their edges and larger farther away, never beyond the area rule. A filler with its
+   * centroid at x has no more area than the equilateral triangle of side
+   *   min over all edges e of the placed polygons of (h_e + Gradation * distance(x, e)),
+   * h_e the length of e as placed, or SizeAtPolygons. 0: no gradation, the area rule alone counts.
+   * Sensible values: 0.1 to 1. Valid range [0, inf). Default 0.
+   */
+  vtkSetMacro(Gradation, double);
+  vtkGetMacro(Gradation, double);
+  ///@}
+
+  ///@{
+  /**
+   * With Gradation: the edge length wanted at the polygons; 0: that of the polygon's own edges
+   * there. Valid range [0, inf). Default 0.
+   */
+  vtkSetMacro(SizeAtPolygons, double);
+  vtkGetMacro(SizeAtPolygons, double);
+  ///@}
+
+  ///@{
   /** Whether edges of placed polygons must not be split. Default false. */
   vtkSetMacro(PreservePolygons, bool);
   vtkGetMacro(PreservePolygons, bool);
@@ -151,6 +183,9 @@ private:
   int AreaRule = AREA_DIAGONAL;
   double MaximumArea = 0.01;
   double MinimumAngle = 20.0;
+  vtkIdType TargetNumberOfElements = 0;
+  double Gradation = 0.0;
+  double SizeAtPolygons = 0.0;
   bool PreservePolygons = false;
   bool PreserveDomain = false;
   vtkIdType MaximumNumberOfElements = 20000000;

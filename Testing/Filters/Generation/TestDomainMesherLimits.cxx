@@ -108,11 +108,71 @@ TEST(DomainMesher, TooManyElementsIsAFailureOfTheCase)
 
   generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
   generation.Mesher->SetMaximumArea(0.002);
-  generation.Mesher->SetMaximumNumberOfElements(600); // more than 1 / 0.002, less than it takes
+  generation.Mesher->SetMaximumNumberOfElements(520); // more than 1 / 0.002, less than it takes
   mesh = generation.MeshAt(0.5);
   EXPECT_EQ(pemesh::GetCaseStatus(mesh), "meshing-failed");
   generation.Mesher->SetMaximumNumberOfElements(2000);
   EXPECT_EQ(pemesh::GetCaseStatus(generation.MeshAt(0.5)), "ok") << "a later case is not affected";
+}
+
+TEST(DomainMesher, LongNarrowGapsAreNamedBeforehand)
+{
+  const auto message = [](double gap, bool preserve, double limit)
+  {
+    const PolygonVertices left = { { 0.2, 0.3 }, { 0.5 - gap, 0.3 }, { 0.5 - gap, 0.6 },
+      { 0.2, 0.6 } };
+    const PolygonVertices right = { { 0.5, 0.2 }, { 0.8, 0.2 }, { 0.8, 0.5 }, { 0.5, 0.5 } };
+    vtkNew<vtkPEMDomainMesher> mesher;
+    mesher->SetPreservePolygons(preserve);
+    mesher->SetMaximumNumberOfElements(static_cast<vtkIdType>(limit));
+    mesher->SetInputData(MakeLayout({ left, right }));
+    mesher->Update();
+    EXPECT_TRUE(mesher->GetOutput()->GetNumberOfCells() > 0 ||
+      pemesh::GetCaseStatus(mesher->GetOutput()) == "meshing-failed");
+    return pemesh::GetCaseStatusMessage(mesher->GetOutput());
+  };
+  EXPECT_EQ(message(1e-9, false, 20000000),
+    "A gap between polygon 2 and polygon 1 is only 1e-09 wide and would take about 2e+08 "
+    "triangles, "
+    "more than the limit of 20000000 elements allows; widen it, or preserve the edges.");
+  EXPECT_THAT(message(0x1p-20, false, 100000), HasSubstr("more than the limit of 100000 elements"));
+  // They face each other over 0.2: that is 0.2 / 1e-4 triangles there, and a few around.
+  EXPECT_THAT(message(1e-4, false, 1950), HasSubstr("A gap between"));
+  EXPECT_THAT(message(1e-4, false, 2050), HasSubstr("The mesh would have more than 2050"));
+  EXPECT_EQ(message(1e-4, false, 5000), "");
+  EXPECT_EQ(message(1e-9, true, 20000000), "");
+}
+
+TEST(DomainMesher, ThinPolygonsKeepTheirArea)
+{
+  for (const double slope : { 0.0, 0.3, 1.0 })
+  {
+    const double thickness = 1e-9;
+    const PolygonVertices needle = { { 0.2, 0.3 }, { 0.6, 0.3 + 0.4 * slope },
+      { 0.6, 0.3 + 0.4 * slope + thickness }, { 0.2, 0.3 + thickness } };
+    for (const bool preserve : { false, true })
+    {
+      vtkNew<vtkPEMDomainMesher> mesher;
+      mesher->SetPreservePolygons(preserve);
+      mesher->SetInputData(MakeLayout({ needle }));
+      mesher->SetAreaRuleByName("constant");
+      mesher->SetMaximumArea(0.01);
+      mesher->Update();
+      ASSERT_EQ(pemesh::GetCaseStatusMessage(mesher->GetOutput()), "") << slope;
+      EXPECT_EQ(WhyNotAMesh(mesher->GetOutput()), "") << slope;
+      const PolygonVertices element = VerticesOf(mesher->GetOutput(), 0);
+      double area = 0.0; // relative to a vertex, or it would drown in rounding
+      for (std::size_t i = 1; i + 1 < element.size(); ++i)
+      {
+        const Point2& a = element[i];
+        const Point2& b = element[i + 1];
+        area += 0.5 *
+          ((a.x - element[0].x) * (b.y - element[0].y) -
+            (b.x - element[0].x) * (a.y - element[0].y));
+      }
+      EXPECT_NEAR(area, 0.4 * thickness, 1e-6 * 0.4 * thickness) << slope << preserve;
+    }
+  }
 }
 
 TEST(DomainMesher, EndsForEveryAngle)
