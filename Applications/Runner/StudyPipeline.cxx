@@ -6,6 +6,7 @@
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
+#include "StudyLayout.h"
 #include "vtkPEMCaseLabel.h"
 #include "vtkPEMDomainMesher.h"
 #include "vtkPEMExternalSolver.h"
@@ -35,21 +36,7 @@ namespace
 vtkSmartPointer<vtkAlgorithm> MakeLayout(const Study& study)
 {
   auto layout = vtkSmartPointer<vtkPEMPolygonLayout>::New();
-  for (const StudyPolygon& polygon : study.Polygons)
-  {
-    const int index = layout->AddPolygon(polygon.Family, polygon.Center[0], polygon.Center[1]);
-    layout->SetPolygonScale(index, polygon.Scale);
-    layout->SetPolygonRotation(index, polygon.Rotation);
-    layout->SetPolygonRange(index, polygon.From, polygon.To);
-    if (polygon.Count > 0)
-    {
-      layout->SetPolygonCount(index, polygon.Count);
-    }
-    if (!polygon.Name.empty())
-    {
-      layout->SetPolygonName(index, polygon.Name);
-    }
-  }
+  ConfigureLayout(study, layout);
   auto mesher = vtkSmartPointer<vtkPEMDomainMesher>::New();
   mesher->SetInputConnection(layout->GetOutputPort());
   mesher->SetAreaRuleByName(study.Mesh.MaximumArea.Rule);

@@ -20,9 +20,17 @@ public:
   {
   }
 
+  /** A record of a table, whose members are columns: "line 3, column scale". */
+  static DocumentPlace Record(const std::string& source, std::size_t line)
+  {
+    DocumentPlace place(source, "line " + std::to_string(line));
+    place.Separator = ", column ";
+    return place;
+  }
+
   DocumentPlace Member(const std::string& key) const
   {
-    return { this->Source, this->Path.empty() ? key : this->Path + "." + key };
+    return { this->Source, this->Path.empty() ? key : this->Path + this->Separator + key };
   }
 
   DocumentPlace Item(std::size_t index) const
@@ -46,6 +54,7 @@ private:
 
   std::string Source;
   std::string Path;
+  const char* Separator = "."; // between the path and the key of a member
 };
 
 } // namespace pemesh

@@ -245,9 +245,8 @@ const FieldTable<Study>& StudyFields()
     Field<Study> meshes = MeshesField();
     result.Fields = { VersionField(),
       TextField("written-by", &Study::WrittenBy, "The program that wrote the document."),
-      NameField(), std::move(meshes),
-      ListField("polygons", &Study::Polygons, PolygonFields(), "The placed polygons.")
-        .Only(makesMeshes, which),
+      NameField(), std::move(meshes), PolygonsField().Only(makesMeshes, which),
+      ScatterField().Only(makesMeshes, which),
       ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh.")
         .Only(makesMeshes, which),
       ObjectField("mesh", &Study::Mesh, MeshFields(), "How the domain around them is meshed.")

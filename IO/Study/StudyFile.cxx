@@ -26,7 +26,8 @@ void CheckSource(const JsonValue::Object& document, const DocumentPlace& place)
 
 void CheckHasSource(const JsonValue::Object& document, const DocumentPlace& place)
 {
-  if (!FindMember(document, "polygons") && !FindMember(document, "meshes"))
+  if (!FindMember(document, "polygons") && !FindMember(document, "scatter") &&
+    !FindMember(document, "meshes"))
   {
     place.Fail("has neither polygons nor meshes: place polygons in the domain, or name mesh "
                "files, for example \"meshes\": \"folder/*.off\".");
@@ -126,7 +127,8 @@ Study ParseStudy(std::string_view text, const fs::path& path)
   {
     study.Name = path.stem().string();
   }
-  if (study.Polygons.empty() && !HasMeshFiles(study) && !FindMember(*document, "sweep"))
+  if (study.Polygons.empty() && !study.Scatter && !HasMeshFiles(study) &&
+    !FindMember(*document, "sweep"))
   {
     study.Sweep.front().To = 0.0; // nothing deforms
     study.Sweep.front().Count = 1;
@@ -178,6 +180,11 @@ Study MoveStudy(const Study& study, const fs::path& folder)
   for (std::string& pattern : moved.Meshes)
   {
     pattern = MovePath(pattern, study.Folder, folder);
+  }
+  for (StudyPolygon& polygon : moved.Polygons)
+  {
+    polygon.File =
+      polygon.File.empty() ? std::string() : MovePath(polygon.File, study.Folder, folder);
   }
   for (StudySolver& solver : moved.Solvers)
   {
