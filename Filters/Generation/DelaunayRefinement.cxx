@@ -3,8 +3,10 @@
 #include "DelaunayRefinement.h"
 
 #include "BoundarySplitter.h"
+#include "LatticePoints.h"
 #include "PlaneVectors.h"
 #include "Predicates.h"
+#include "TriangulationWalk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -93,12 +95,13 @@ enum class Purpose
 class Refinement
 {
 public:
-  Refinement(
-    RefinableTriangulation& mesh, const DomainBoundary& boundary, const RefinementOptions& options);
+  Refinement(DomainTriangulation& triangulation, const DomainBoundary& boundary,
+    const RefinementOptions& options);
 
   RefinementOutcome Run();
 
 private:
+  bool InsertLattice();
   void FindLongSegments();
   double AreaBound(const Point2& point) const;
   Shape Measure(int triangle) const;
@@ -114,6 +117,8 @@ private:
   bool Continue();
 
   RefinableTriangulation& Mesh;
+  const OutsideTriangles& Outside;
+  const DomainBoundary& Boundary;
   const RefinementOptions& Options;
   BoundarySplitter Splitter;
   double SquaredSine;   ///< of the minimum angle
@@ -122,16 +127,19 @@ private:
   std::vector<LongSegment> LongSegments;
   std::priority_queue<BadTriangle> Bad;
   std::uint64_t NextOrder = 0;
+  std::size_t PointsWaiting = 0;
   std::uint64_t Steps = 0;
   double Fraction = 0.0;
   RefinementOutcome Outcome = RefinementOutcome::Done;
 };
 
-Refinement::Refinement(
-  RefinableTriangulation& mesh, const DomainBoundary& boundary, const RefinementOptions& options)
-  : Mesh(mesh)
+Refinement::Refinement(DomainTriangulation& triangulation, const DomainBoundary& boundary,
+  const RefinementOptions& options)
+  : Mesh(triangulation.Inside)
+  , Outside(triangulation.Outside)
+  , Boundary(boundary)
   , Options(options)
-  , Splitter(mesh, boundary, options.Preserved, [this] { this->LookAtStar(); })
+  , Splitter(triangulation.Inside, boundary, options.Preserved, [this] { this->LookAtStar(); })
 {
   const double angle = options.MinimumAngle * std::numbers::pi / 180.0;
   // A little more than asked for, so that rounding in whoever measures finds no less.
@@ -383,6 +391,38 @@ Attempt Refinement::RefineFlat(int triangle, const Shape& shape)
   return attempt;
 }
 
+/** Inserts the lattice where the bound is as it is; false if the work has to stop. */
+bool Refinement::InsertLattice()
+{
+  const std::vector<Point2> points = MakeLatticePoints(this->Boundary, this->Options.MaximumArea);
+  this->Mesh.Reserve(points.size());
+  TriangulationWalk walk(this->Mesh, this->Outside);
+  int last = 0;
+  this->PointsWaiting = points.size();
+  for (const Point2& point : points)
+  {
+    --this->PointsWaiting;
+    if (!this->LongSegments.empty() && this->AreaBound(point) > this->Options.MaximumArea)
+    {
+      continue;
+    }
+    const int triangle = walk.Find(point, last);
+    if (triangle >= 0)
+    {
+      this->Mesh.FindZone(triangle, point);
+      if (this->Mesh.InsertInZone(point) >= 0)
+      {
+        last = this->Mesh.GetStar().front();
+      }
+    }
+    if (!this->Continue())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Counts a step; false if the work has to stop. */
 bool Refinement::Continue()
 {
@@ -395,7 +435,7 @@ bool Refinement::Continue()
   if (this->Steps % 512 == 0 && this->Options.Progress)
   {
     const double done = static_cast<double>(this->Steps);
-    const double waiting = static_cast<double>(this->Bad.size());
+    const double waiting = static_cast<double>(this->Bad.size() + this->PointsWaiting);
     this->Fraction = std::max(this->Fraction, done / (done + waiting));
     if (!this->Options.Progress(this->Fraction))
     {
@@ -409,6 +449,10 @@ bool Refinement::Continue()
 RefinementOutcome Refinement::Run()
 {
   const auto proceed = [this] { return this->Continue(); };
+  if (std::isfinite(this->Options.MaximumArea) && !this->InsertLattice())
+  {
+    return this->Outcome;
+  }
   for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
   {
     if (this->Splitter.CanSplit(segment) && this->Splitter.IsEncroached(segment))
@@ -450,7 +494,7 @@ RefinementOutcome Refinement::Run()
 
 } // namespace
 
-RefinementOutcome RefineTriangulation(RefinableTriangulation& triangulation,
+RefinementOutcome RefineTriangulation(DomainTriangulation& triangulation,
   const DomainBoundary& boundary, const RefinementOptions& options)
 {
   return Refinement(triangulation, boundary, options).Run();

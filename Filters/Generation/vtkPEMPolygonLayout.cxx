@@ -80,29 +80,42 @@ std::string vtkPEMPolygonLayout::UpdateDomain(pemesh::Domain& domain)
                                      : pemesh::ToDomain(input, domain);
 }
 
+std::string vtkPEMPolygonLayout::FindFaultIn(const pemesh::Domain& domain, double time) const
+{
+  return pemesh::FindLayoutFault(this->PolygonsAt(time), domain, time);
+}
+
 std::string vtkPEMPolygonLayout::FindFault(double time)
 {
   pemesh::Domain domain;
-  std::string fault = this->WhyMisconfigured();
-  if (fault.empty())
-  {
-    fault = this->UpdateDomain(domain);
-  }
-  return fault.empty() ? pemesh::FindLayoutFault(this->PolygonsAt(time), time) : fault;
+  const std::string fault = this->WhyNoLayout(domain);
+  return fault.empty() ? this->FindFaultIn(domain, time) : fault;
 }
 
 std::vector<std::string> vtkPEMPolygonLayout::FindFaults()
 {
+  pemesh::Domain domain;
+  const std::string unusable = this->WhyNoLayout(domain);
+  if (!unusable.empty())
+  {
+    return { unusable };
+  }
   std::vector<std::string> faults;
   for (const double time : this->GetTimes())
   {
-    std::string fault = this->FindFault(time);
+    std::string fault = this->FindFaultIn(domain, time);
     if (!fault.empty() && (faults.empty() || faults.back() != fault))
     {
       faults.push_back(std::move(fault));
     }
   }
   return faults;
+}
+
+std::string vtkPEMPolygonLayout::WhyNoLayout(pemesh::Domain& domain)
+{
+  std::string why = this->WhyMisconfigured();
+  return why.empty() ? this->UpdateDomain(domain) : why;
 }
 
 std::string vtkPEMPolygonLayout::WhyMisconfigured() const

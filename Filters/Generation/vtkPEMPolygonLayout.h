@@ -224,6 +224,9 @@ private:
   std::vector<pemesh::PlacedPolygon> PolygonsAt(double time) const;
   /** Empty, or one sentence on why the input is no domain. */
   std::string UpdateDomain(pemesh::Domain& domain);
+  /** Empty, or one sentence on a wrong setting or domain. */
+  std::string WhyNoLayout(pemesh::Domain& domain);
+  std::string FindFaultIn(const pemesh::Domain& domain, double time) const;
   /** Empty if everything is in its valid range. */
   std::string WhyMisconfigured() const;
 
