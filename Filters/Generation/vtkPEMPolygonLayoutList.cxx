@@ -14,6 +14,7 @@
 #include "PolygonScatter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <utility>
@@ -125,7 +126,7 @@ int vtkPEMPolygonLayout::AddPolygonFromPoints(
 int vtkPEMPolygonLayout::ScatterPolygons(int count, double seed,
   const std::vector<std::string>& families, double smallestScale, double largestScale, double gap)
 {
-  if (!(seed >= 0.0 && seed <= 0x1p53))
+  if (!(seed >= 0.0 && seed <= 0x1p53) || seed != std::trunc(seed))
   {
     vtkErrorMacro(<< "The seed is " << seed << ", expected an integer of 0 to 2^53.");
     return -1;

@@ -220,6 +220,7 @@ TEST(PolygonScatter, WrongOptionsAreNamed)
   EXPECT_EQ(layout->ScatterPolygons(0, 0, {}, 0.1, 0.2, 0.0), -1);
   EXPECT_THAT(log.GetText(), HasSubstr("number of polygons to scatter is 0"));
   EXPECT_EQ(layout->ScatterPolygons(1, -1, {}, 0.1, 0.2, 0.0), -1);
+  EXPECT_EQ(layout->ScatterPolygons(1, 0.5, {}, 0.1, 0.2, 0.0), -1);
   EXPECT_THAT(log.GetText(), HasSubstr("The seed is -1"));
   EXPECT_EQ(layout->ScatterPolygons(1, 0, { "combe" }, 0.1, 0.2, 0.0), -1);
   EXPECT_THAT(log.GetText(), HasSubstr("family \"combe\" to scatter; did you mean \"comb\"?"));
