@@ -41,10 +41,13 @@ Json FamiliesAsJson()
     Json entry = { { "name", family.Name }, { "label", family.Label },
       { "description", family.Description }, { "stepped", family.Stepped },
       { "reference", family.Reference } };
-    if (family.CountName)
+    entry["parameters"] = Json::array();
+    for (const Parameter& parameter : family.Parameters)
     {
-      entry["count"] = { { "name", family.CountName }, { "default", family.DefaultCount },
-        { "minimum", family.MinimumCount } };
+      entry["parameters"].push_back(
+        { { "name", parameter.Name }, { "description", parameter.Description },
+          { "default", parameter.Default }, { "least", parameter.Least },
+          { "greatest", parameter.Greatest }, { "integer", parameter.IsInteger } });
     }
     list.push_back(entry);
   }

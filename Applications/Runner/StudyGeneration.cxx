@@ -3,12 +3,15 @@
 #include "StudyGeneration.h"
 
 #include "Study.h"
+#include "StudyLayout.h"
 #include "vtkPEMAgglomerate.h"
 #include "vtkPEMDomain.h"
 #include "vtkPEMDomainMesher.h"
 #include "vtkPEMMeshReader.h"
+#include "vtkPEMMirror.h"
 #include "vtkPEMPolygonLayout.h"
 #include "vtkPEMTessellation.h"
+#include "vtkPEMTile.h"
 
 #include <algorithm>
 #include <array>
@@ -24,26 +27,6 @@ namespace
 constexpr std::array<std::string_view, 3> StraightVertices{ "keep", "remove-exact",
   "remove-rounded" };
 
-void ConfigureLayout(const Study& study, vtkPEMPolygonLayout* layout)
-{
-  layout->RemoveAllPolygons();
-  for (const StudyPolygon& polygon : study.Polygons)
-  {
-    const int index = layout->AddPolygon(polygon.Family, polygon.Center[0], polygon.Center[1]);
-    layout->SetPolygonScale(index, polygon.Scale);
-    layout->SetPolygonRotation(index, polygon.Rotation);
-    layout->SetPolygonRange(index, polygon.From, polygon.To);
-    if (polygon.Count > 0)
-    {
-      layout->SetPolygonCount(index, polygon.Count);
-    }
-    if (!polygon.Name.empty())
-    {
-      layout->SetPolygonName(index, polygon.Name);
-    }
-  }
-}
-
 } // namespace
 
 StudyGeneration::StudyGeneration() = default;
@@ -51,8 +34,8 @@ StudyGeneration::~StudyGeneration() = default;
 
 std::vector<vtkAlgorithm*> StudyGeneration::GetFilters()
 {
-  return { this->Reader, this->Domain, this->Layout, this->Mesher, this->Tessellation,
-    this->Agglomeration };
+  return { this->Reader, this->Domain, this->Layout, this->Mesher, this->Tessellation, this->Tile,
+    this->Mirror, this->Agglomeration };
 }
 
 vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
@@ -80,8 +63,9 @@ void StudyGeneration::ConfigureDomain(const Study& study)
 vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
 {
   const StudyMesh& mesh = study.Mesh;
-  ConfigureLayout(study, this->Layout);
   this->ConfigureDomain(study);
+  this->Layout->SetInputConnection(this->Domain->GetOutputPort());
+  ConfigureLayout(study, this->Layout);
   this->Mesher->SetInputConnection(0, this->Layout->GetOutputPort());
   this->Mesher->SetInputConnection(1, this->Domain->GetOutputPort());
   this->Mesher->SetAreaRuleByName(mesh.MaximumArea.Rule);
@@ -141,6 +125,17 @@ vtkAlgorithm* StudyGeneration::Configure(const Study& study)
     filter->SetInputConnection(last->GetOutputPort());
     last = filter;
   };
+  if (study.Mesh.Tile != std::array<int, 2>{ 1, 1 })
+  {
+    this->Tile->SetColumns(study.Mesh.Tile[0]);
+    this->Tile->SetRows(study.Mesh.Tile[1]);
+    append(this->Tile);
+  }
+  if (study.Mesh.Mirror > 0)
+  {
+    this->Mirror->SetNumberOfTimes(study.Mesh.Mirror);
+    append(this->Mirror);
+  }
   if (study.Mesh.Agglomeration.Rule != "none")
   {
     this->ConfigureAgglomeration(study.Mesh.Agglomeration);

@@ -4,7 +4,7 @@
  * The part of a pipeline that makes the meshes of a study, or reads them.
  *
  *     domain -> polygon layout -> domain mesher \
- *     domain -> tessellation --------------------> agglomeration
+ *     domain -> tessellation --------------------> tile -> mirror -> agglomeration
  *     mesh reader ------------------------------/
  */
 #ifndef pemesh_StudyGeneration_h
@@ -19,8 +19,10 @@ class vtkPEMAgglomerate;
 class vtkPEMDomain;
 class vtkPEMDomainMesher;
 class vtkPEMMeshReader;
+class vtkPEMMirror;
 class vtkPEMPolygonLayout;
 class vtkPEMTessellation;
+class vtkPEMTile;
 
 namespace pemesh
 {
@@ -56,6 +58,8 @@ private:
   vtkNew<vtkPEMPolygonLayout> Layout;
   vtkNew<vtkPEMDomainMesher> Mesher;
   vtkNew<vtkPEMTessellation> Tessellation;
+  vtkNew<vtkPEMTile> Tile;
+  vtkNew<vtkPEMMirror> Mirror;
   vtkNew<vtkPEMAgglomerate> Agglomeration;
 };
 

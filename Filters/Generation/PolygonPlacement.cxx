@@ -68,6 +68,13 @@ Point2 DirectionOf(double degrees)
 
 } // namespace
 
+PolygonPlace PlaceOf(const std::vector<Point2>& vertices)
+{
+  const Box box = BoxOf(vertices);
+  const double diagonal = std::hypot(box.High.x - box.Low.x, box.High.y - box.Low.y);
+  return { box.Center(), diagonal / UnitPolygonDiagonal };
+}
+
 std::vector<Point2> PlacePolygon(
   std::vector<Point2> vertices, const Point2& center, double scale, double degrees)
 {
@@ -75,9 +82,12 @@ std::vector<Point2> PlacePolygon(
   {
     return vertices;
   }
-  const Box own = BoxOf(vertices);
-  const double diagonal = std::hypot(own.High.x - own.Low.x, own.High.y - own.Low.y);
-  const double factor = UnitPolygonDiagonal * scale / diagonal;
+  const PolygonPlace own = PlaceOf(vertices);
+  if (own == PolygonPlace{ center, scale } && std::remainder(degrees, 360.0) == 0.0)
+  {
+    return vertices;
+  }
+  const double factor = scale / own.Scale;
   const Point2 average = AverageOf(vertices);
   const Point2 direction = DirectionOf(degrees);
   for (Point2& point : vertices)

@@ -21,10 +21,22 @@ inline constexpr double UnitPolygonDiagonal = 0.5;
  * Scales `vertices` so that the diagonal of the bounding box is UnitPolygonDiagonal times `scale`,
  * turns them counter-clockwise by `degrees` about the average of the vertices, and moves them so
  * that the centre of the bounding box is then `center`. Multiples of 90 degrees turn without
- * rounding.
+ * rounding. A polygon that is there already (PlaceOf, no turn) is returned bit by bit.
  */
 PEMESHFILTERSGENERATION_EXPORT std::vector<Point2> PlacePolygon(
   std::vector<Point2> vertices, const Point2& center, double scale, double degrees);
+
+/** Where and how large a polygon is as it stands. */
+struct PolygonPlace
+{
+  Point2 Center;      ///< of the bounding box
+  double Scale = 1.0; ///< its diagonal is UnitPolygonDiagonal times this
+
+  friend bool operator==(const PolygonPlace&, const PolygonPlace&) = default;
+};
+
+/** The place of a polygon of at least one vertex. */
+PEMESHFILTERSGENERATION_EXPORT PolygonPlace PlaceOf(const std::vector<Point2>& vertices);
 
 } // namespace pemesh
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CsvTable.h"
 
+#include "CsvRecords.h"
 #include "NumberText.h"
 #include "TextFile.h"
 
@@ -22,36 +23,17 @@ namespace pemesh
 namespace
 {
 
-void AppendField(std::string& text, const std::string& field)
-{
-  if (field.find_first_of(",\"\r\n") == std::string::npos)
-  {
-    text += field;
-    return;
-  }
-  text += '"';
-  for (const char c : field)
-  {
-    text += c;
-    if (c == '"')
-    {
-      text += '"';
-    }
-  }
-  text += '"';
-}
-
 void AppendValue(std::string& text, vtkAbstractArray* column, vtkIdType row)
 {
   if (auto* strings = vtkStringArray::SafeDownCast(column))
   {
-    AppendField(text, strings->GetValue(row));
+    AppendCsvField(text, strings->GetValue(row));
     return;
   }
   auto* numbers = vtkDataArray::SafeDownCast(column);
   if (!numbers)
   {
-    AppendField(text, column->GetVariantValue(row).ToString());
+    AppendCsvField(text, column->GetVariantValue(row).ToString());
   }
   else if (numbers->GetDataType() == VTK_DOUBLE || numbers->GetDataType() == VTK_FLOAT)
   {
@@ -62,98 +44,6 @@ void AppendValue(std::string& text, vtkAbstractArray* column, vtkIdType row)
     AppendNumber(text, static_cast<long long>(numbers->GetVariantValue(row).ToLongLong()));
   }
 }
-
-/** Splits CSV text into records, one at a time, counting lines for error messages. */
-class RecordReader
-{
-public:
-  RecordReader(std::string_view text, const std::string& source)
-    : Text(text)
-    , Source(source)
-  {
-    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
-    if (this->Text.substr(0, 3) == byteOrderMark)
-    {
-      this->Position = 3;
-    }
-  }
-
-  /** False at the end. Empty lines are skipped. */
-  bool Next(std::vector<std::string>& fields)
-  {
-    while (this->Position < this->Text.size() &&
-      (this->Text[this->Position] == '\n' || this->Text[this->Position] == '\r'))
-    {
-      this->Line += this->Text[this->Position] == '\n' ? 1 : 0;
-      ++this->Position;
-    }
-    fields.clear();
-    if (this->Position >= this->Text.size())
-    {
-      return false;
-    }
-    this->RecordLine = this->Line;
-    do
-    {
-      fields.push_back(this->Field());
-    } while (this->TakeIf(','));
-    const bool carriageReturn = this->TakeIf('\r');
-    const bool lineFeed = this->TakeIf('\n');
-    if (!carriageReturn && !lineFeed && this->Position < this->Text.size())
-    {
-      this->Fail("has text after a closing quote");
-    }
-    ++this->Line;
-    return true;
-  }
-
-  [[noreturn]] void Fail(const std::string& what) const
-  {
-    throw std::runtime_error(
-      "\"" + this->Source + "\", line " + std::to_string(this->RecordLine) + ", " + what + ".");
-  }
-
-private:
-  bool TakeIf(char c)
-  {
-    if (this->Position < this->Text.size() && this->Text[this->Position] == c)
-    {
-      ++this->Position;
-      return true;
-    }
-    return false;
-  }
-
-  std::string Field()
-  {
-    std::string field;
-    if (!this->TakeIf('"'))
-    {
-      const std::size_t end =
-        std::min(this->Text.find_first_of(",\r\n", this->Position), this->Text.size());
-      field = this->Text.substr(this->Position, end - this->Position);
-      this->Position = end;
-      return field;
-    }
-    while (this->Position < this->Text.size())
-    {
-      const char c = this->Text[this->Position++];
-      if (c == '"' && !this->TakeIf('"'))
-      {
-        return field;
-      }
-      this->Line += c == '\n' ? 1 : 0;
-      field += c;
-    }
-    this->Fail("opens a quote that is never closed");
-  }
-
-  std::string_view Text;
-  const std::string& Source;
-  std::size_t Position = 0;
-  std::size_t Line = 1;
-  std::size_t RecordLine = 1;
-};
 
 /** Whether digits are a name and no number: "007" would come back as 7. */
 bool IsCode(std::string_view text)
@@ -213,7 +103,7 @@ std::string FormatCsv(vtkTable* table)
   {
     text += column > 0 ? "," : "";
     const char* name = table->GetColumnName(column);
-    AppendField(text, name ? name : "");
+    AppendCsvField(text, name ? name : "");
   }
   endRecord();
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
@@ -230,7 +120,7 @@ std::string FormatCsv(vtkTable* table)
 
 vtkSmartPointer<vtkTable> ParseCsv(std::string_view text, const std::string& source)
 {
-  RecordReader reader(text, source);
+  CsvRecordReader reader(text, source);
   std::vector<std::string> names;
   if (!reader.Next(names))
   {

@@ -20,9 +20,17 @@ public:
   {
   }
 
+  /** A record of a table, whose members are columns: "line 3, column scale". */
+  static DocumentPlace Record(const std::string& source, std::size_t line)
+  {
+    DocumentPlace place(source, "line " + std::to_string(line));
+    place.Separator = ", column ";
+    return place;
+  }
+
   DocumentPlace Member(const std::string& key) const
   {
-    return this->At(this->Path.empty() ? key : this->Path + "." + key);
+    return this->At(this->Path.empty() ? key : this->Path + this->Separator + key);
   }
 
   DocumentPlace Item(std::size_t index) const
@@ -54,6 +62,7 @@ private:
   std::string Source;
   std::string Path;
   bool Forgiving = false;
+  const char* Separator = "."; // between the path and the key of a member
 };
 
 } // namespace pemesh

@@ -150,6 +150,28 @@ std::vector<Field<Owner>> ParameterFields(const std::vector<ParameterizedEntry>&
   return fields;
 }
 
+/** All entries of a table of filters. */
+template <typename Table>
+std::vector<ParameterizedEntry> EntriesOf(const Table& table)
+{
+  std::vector<ParameterizedEntry> entries;
+  for (const auto& entry : table)
+  {
+    entries.push_back({ entry.Name, entry.Parameters });
+  }
+  return entries;
+}
+
+/** Puts fields behind those of a table. */
+template <typename Owner>
+void AppendFields(FieldTable<Owner>& table, std::vector<Field<Owner>> fields)
+{
+  for (Field<Owner>& field : fields)
+  {
+    table.Fields.push_back(std::move(field));
+  }
+}
+
 } // namespace pemesh
 
 #endif

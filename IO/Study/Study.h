@@ -31,18 +31,39 @@ PEMESHIOSTUDY_EXPORT std::string FormatScalar(const StudyScalar& value);
 /** NaN for a text or a truth value. */
 PEMESHIOSTUDY_EXPORT double ScalarToNumber(const StudyScalar& value);
 
-/** One placed polygon of a parametric family. */
+/** Parameters of an entry of a table by name; all of them after reading. */
+using StudyParameters = std::vector<std::pair<std::string, double>>;
+
+/** One placed polygon. */
 struct StudyPolygon
 {
   std::string Family;
   std::string Name; // "" = named after its place in the list and its family
+  std::string File; // of the family file: relative to the study
+  std::vector<std::array<double, 2>> Points; // of the family points: where they are to lie
   std::array<double, 2> Center{ 0.5, 0.5 };
   double Scale = 1.0;
-  double Rotation = 0.0; // degrees
-  int Count = 0;         // teeth, sides or spikes; 0 where the family counts nothing
-  double From = 0.0;     // its own deformation is From + t (To - From)
+  double Rotation = 0.0;      // degrees
+  StudyParameters Parameters; // all of its family, in its order
+  double From = 0.0;          // its own deformation is From + t (To - From)
   double To = 1.0;
   bool operator==(const StudyPolygon&) const = default;
+};
+
+/** Polygons at random places, besides those that are placed. The defaults of ScatterOptions. */
+struct StudyScatter
+{
+  int Count = 10;
+  double Seed = 0.0;                 // an integer up to 2^53
+  std::vector<std::string> Families; // none = all parametric ones and random
+  std::string Order = "cycle";       // cycle | random
+  double SmallestScale = 0.2;
+  double LargestScale = 0.2;
+  double LargestRotation = 360.0; // degrees
+  double Gap = 0.01;
+  double From = 0.0; // the deformation of each is From + t (To - From)
+  double To = 1.0;
+  bool operator==(const StudyScatter&) const = default;
 };
 
 /** One swept parameter: `Values` if there are any, else `Count` equidistant ones. */
@@ -66,9 +87,6 @@ struct StudyMaximumArea
   double Value = 0.0;            // of the rule constant only
   bool operator==(const StudyMaximumArea&) const = default;
 };
-
-/** Parameters of an entry of a table by name; all of them after reading. */
-using StudyParameters = std::vector<std::pair<std::string, double>>;
 
 /** The region that is meshed. */
 struct StudyDomain
@@ -164,6 +182,7 @@ struct Study
   std::string WrittenBy; // program and version, recorded in the results
   std::string Name;
   std::vector<StudyPolygon> Polygons;
+  std::optional<StudyScatter> Scatter;
   std::vector<std::string> Meshes; // files and globs, relative to Folder; not empty = no Polygons
   std::vector<StudySweep> Sweep;
   StudyDomain Domain;

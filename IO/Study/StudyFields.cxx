@@ -124,7 +124,7 @@ Field<Study> MeshesField()
 
 void CheckSource(const DocumentPlace& place, const Study& study)
 {
-  const bool placesPolygons = !study.Polygons.empty();
+  const bool placesPolygons = !study.Polygons.empty() || study.Scatter;
   if (placesPolygons && !IsTriangulated(study.Mesh))
   {
     place.Member("mesh").Member("source").Fail("is \"" + study.Mesh.Source +
@@ -147,8 +147,7 @@ const FieldTable<Study>& StudyFields()
       NameField(), std::move(meshes),
       ObjectField("domain", &Study::Domain, DomainFields(), "The region that is meshed.")
         .Only(makesMeshes, which),
-      ListField("polygons", &Study::Polygons, PolygonFields(), "The placed polygons.")
-        .Only(makesMeshes, which),
+      PolygonsField().Only(makesMeshes, which), ScatterField().Only(makesMeshes, which),
       ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh."),
       ObjectField("mesh", &Study::Mesh, MeshFields(), "How the meshes are made."), MetricsField(),
       ListField("solvers", &Study::Solvers, SolverFields(), "Runs of solvers on every mesh."),

@@ -24,7 +24,9 @@ const FieldTable<Study>& StudyFields();
 
 ///@{
 /** Its larger parts. */
-FieldTable<StudyPolygon> PolygonFields();
+const FieldTable<StudyPolygon>& PolygonFields();
+Field<Study> PolygonsField();
+Field<Study> ScatterField();
 FieldTable<StudySweep> SweepFields();
 FieldTable<StudyDomain> DomainFields();
 FieldTable<StudyMesh> MeshFields();

@@ -29,8 +29,8 @@ void CheckHasSource(const JsonValue::Object& document, const DocumentPlace& plac
 {
   const JsonValue* mesh = FindMember(document, "mesh");
   const auto* options = mesh ? mesh->As<JsonValue::Object>() : nullptr;
-  if (!FindMember(document, "polygons") && !FindMember(document, "meshes") &&
-    !(options && FindMember(*options, "source")))
+  if (!FindMember(document, "polygons") && !FindMember(document, "scatter") &&
+    !FindMember(document, "meshes") && !(options && FindMember(*options, "source")))
   {
     place.Fail("has neither polygons nor meshes nor mesh.source: place polygons in the domain, "
                "name mesh files, for example \"meshes\": \"folder/*.off\", or a source of meshes, "
@@ -122,6 +122,11 @@ Study MoveStudy(const Study& study, const fs::path& folder)
   if (!moved.Domain.File.empty())
   {
     moved.Domain.File = MovePath(moved.Domain.File, study.Folder, folder);
+  }
+  for (StudyPolygon& polygon : moved.Polygons)
+  {
+    polygon.File =
+      polygon.File.empty() ? std::string() : MovePath(polygon.File, study.Folder, folder);
   }
   for (StudySolver& solver : moved.Solvers)
   {

@@ -6,8 +6,9 @@
  * Reading is strict. Every function throws std::runtime_error with one sentence that names the
  * file and the place in it: a syntax error by line and column, a key given twice, an unknown key
  * with the nearest known one, a value of the wrong type or out of range by its path
- * (`mesh.min-angle`, `polygons[0].scale`). Files named in the document are not looked at here:
- * FindStudyMeshes (Study.h) and FindStudySolvers (SolverDescriptionFile.h) do that.
+ * (`mesh.min-angle`, `polygons[0].scale`). Of the files named in the document only a table of
+ * polygons is read here; FindStudyMeshes (Study.h), FindStudySolvers (SolverDescriptionFile.h) and
+ * whoever places the polygons look at the others.
  */
 #ifndef pemesh_StudyFile_h
 #define pemesh_StudyFile_h

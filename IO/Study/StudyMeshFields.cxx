@@ -37,26 +37,6 @@ std::vector<std::string> ChoicesOf(
   return names;
 }
 
-template <typename Table>
-std::vector<ParameterizedEntry> EntriesOf(const Table& table)
-{
-  std::vector<ParameterizedEntry> entries;
-  for (const auto& entry : table)
-  {
-    entries.push_back({ entry.Name, entry.Parameters });
-  }
-  return entries;
-}
-
-template <typename Owner>
-void AppendFields(FieldTable<Owner>& table, std::vector<Field<Owner>> fields)
-{
-  for (Field<Owner>& field : fields)
-  {
-    table.Fields.push_back(std::move(field));
-  }
-}
-
 // --- max-area, target
 // -----------------------------------------------------------------------------
 

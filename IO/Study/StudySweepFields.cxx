@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DocumentPath.h"
+#include "PolygonFamilies.h"
 #include "StudyFields.h"
 #include "StudySweeps.h"
 
@@ -205,8 +206,10 @@ void FinishSweeps(const DocumentPlace& place, Study& study)
 {
   if (study.Sweep == std::vector{ UndecidedSweep() })
   {
-    const auto changes = [](const StudyPolygon& polygon) { return polygon.From != polygon.To; };
-    const bool any = std::any_of(study.Polygons.begin(), study.Polygons.end(), changes);
+    const auto changes = [](const StudyPolygon& polygon)
+    { return polygon.From != polygon.To && !FindPolygonFamily(polygon.Family)->IsFixed(); };
+    const bool any = std::any_of(study.Polygons.begin(), study.Polygons.end(), changes) ||
+      (study.Scatter && study.Scatter->From != study.Scatter->To);
     study.Sweep.resize(any ? 1 : 0);
     std::fill(study.Sweep.begin(), study.Sweep.end(), StudySweep());
   }

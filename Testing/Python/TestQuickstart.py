@@ -27,7 +27,7 @@ def make_layout(study):
         layout.SetPolygonRotation(index, polygon["rotation"])
         for count in ("teeth", "sides", "spikes"):
             if count in polygon:
-                layout.SetPolygonCount(index, polygon[count])
+                layout.SetPolygonParameter(index, count, polygon[count])
     sweep = study["sweep"][0]
     layout.SetFirstTime(sweep["from"])
     layout.SetLastTime(sweep["to"])

@@ -124,7 +124,7 @@ TEST_P(DomainMesherFamilies, IsAMeshWithTheAnglesAndAreasAskedFor)
 
 INSTANTIATE_TEST_SUITE_P(Everything, DomainMesherFamilies,
   testing::Combine(
-    testing::Range(0, 8), testing::Values(0.0, 0.35, 0.5, 0.9, 0.95, 0.999, 1.0), testing::Bool()));
+    testing::Range(0, 9), testing::Values(0.0, 0.35, 0.5, 0.9, 0.95, 0.999, 1.0), testing::Bool()));
 
 TEST(DomainMesher, ShortestEdgeRuleHolds)
 {

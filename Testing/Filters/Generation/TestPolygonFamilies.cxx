@@ -20,7 +20,15 @@ using Polygon = std::vector<Point2>;
 Polygon Vertices(const char* family, double t)
 {
   const pemesh::PolygonFamily* found = pemesh::FindPolygonFamily(family);
-  return found->Vertices(t, found->DefaultCount);
+  return found->Vertices(t, pemesh::ParameterValues(found->Parameters));
+}
+
+Polygon VerticesAtEnd(const char* family, const char* parameter, double value)
+{
+  const pemesh::PolygonFamily* found = pemesh::FindPolygonFamily(family);
+  pemesh::ParameterValues values(found->Parameters);
+  EXPECT_EQ(values.Set(parameter, value), "");
+  return found->Vertices(1.0, values);
 }
 
 void ExpectPolygon(const Polygon& actual, const Polygon& expected)
@@ -33,21 +41,24 @@ void ExpectPolygon(const Polygon& actual, const Polygon& expected)
   }
 }
 
-TEST(PolygonFamilies, TableInAlphabeticalOrder)
+TEST(PolygonFamilies, PositionsInTheTableAreForever)
 {
   const std::vector<std::string> expected = { "comb", "convexity", "isotropy", "maze", "n-sided",
-    "star", "u-like", "zeta" };
+    "star", "u-like", "zeta", "random", "file", "points" };
   std::vector<std::string> names;
   for (const pemesh::PolygonFamily& family : pemesh::PolygonFamilies())
   {
     EXPECT_EQ(pemesh::PolygonFamilyIndex(&family), static_cast<int>(names.size()));
     EXPECT_EQ(pemesh::FindPolygonFamily(family.Name), &family);
-    EXPECT_EQ(family.CountName == nullptr, family.DefaultCount == 0);
-    EXPECT_EQ(family.Stepped, family.CountName != nullptr);
+    EXPECT_EQ(family.IsFixed(), names.size() >= 9);
+    const bool counts = family.Parameters.size() == 1;
+    EXPECT_EQ(family.Stepped, counts);
+    EXPECT_TRUE(!counts || family.Parameters[0].IsInteger);
     EXPECT_FALSE(std::string(family.Label).empty());
     EXPECT_FALSE(std::string(family.Description).empty());
-    EXPECT_NE(
-      std::string(family.Reference).find("10.1016/j.matcom.2021.07.018"), std::string::npos);
+    const bool isAttene =
+      std::string(family.Reference).find("10.1016/j.matcom.2021.07.018") != std::string::npos;
+    EXPECT_EQ(isAttene, names.size() < 8);
     names.emplace_back(family.Name);
   }
   EXPECT_EQ(names, expected);
@@ -163,21 +174,25 @@ TEST(PolygonFamilies, SimpleAndCounterClockwiseForEveryTime)
 {
   for (const pemesh::PolygonFamily& family : pemesh::PolygonFamilies())
   {
-    for (int i = -1; i <= 102; ++i) // a little beyond both ends, too
+    for (int i = family.IsFixed() ? 103 : -1; i <= 102; ++i) // a little beyond both ends, too
     {
-      const Polygon polygon = family.Vertices(i / 100.0, family.DefaultCount);
+      const Polygon polygon = Vertices(family.Name, i / 100.0);
       EXPECT_TRUE(IsSimpleAndCounterClockwise(polygon)) << family.Name << " at " << i / 100.0;
     }
-    EXPECT_TRUE(IsSimpleAndCounterClockwise(family.Vertices(NAN, family.DefaultCount)));
+    EXPECT_TRUE(family.IsFixed() || IsSimpleAndCounterClockwise(Vertices(family.Name, NAN)));
   }
 }
 
-TEST(PolygonFamilies, CountsAreTakenWithinBounds)
+TEST(PolygonFamilies, ParametersAreTakenWithinBounds)
 {
-  EXPECT_EQ(pemesh::FindPolygonFamily("comb")->Vertices(1.0, 3).size(), 11u);
-  EXPECT_EQ(pemesh::FindPolygonFamily("n-sided")->Vertices(1.0, 12).size(), 12u);
-  EXPECT_EQ(pemesh::FindPolygonFamily("n-sided")->Vertices(1.0, -5).size(), 3u);
-  EXPECT_EQ(pemesh::FindPolygonFamily("star")->Vertices(1.0, 3).size(), 6u);
+  EXPECT_EQ(VerticesAtEnd("comb", "teeth", 3).size(), 11u);
+  EXPECT_EQ(VerticesAtEnd("n-sided", "sides", 12).size(), 12u);
+  EXPECT_EQ(VerticesAtEnd("star", "spikes", 3).size(), 6u);
+  EXPECT_EQ(VerticesAtEnd("star", "spikes", 100000).size(), 200000u);
+  EXPECT_EQ(VerticesAtEnd("random", "vertices", 9).size(), 9u);
+  EXPECT_NE(VerticesAtEnd("random", "seed", 9), Vertices("random", 1.0));
+  pemesh::ParameterValues values(pemesh::FindPolygonFamily("n-sided")->Parameters);
+  EXPECT_EQ(values.Set("sides", 2), "sides is 2; it must be an integer between 3 and 1e+05.");
 }
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "MeshInvariants.h"
 #include "PolygonFamilies.h"
 #include "PolygonPlacement.h"
+#include "TestMeshes.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
@@ -83,7 +84,10 @@ TEST(PolygonLayout, EveryFamilyHasTheSameDiagonalAtEveryTime)
     for (const double t : { 0.0, 0.31, 0.5, 0.93, 1.0 })
     {
       vtkNew<vtkPEMPolygonLayout> layout;
-      ASSERT_EQ(layout->AddPolygon(family.Name, 0.4, 0.6), 0);
+      ASSERT_EQ(family.IsFixed()
+          ? layout->AddPolygonFromPoints({ 0, 0, 5, 1, 3, 3, 2, 2, 0, 7 }, 0.4, 0.6)
+          : layout->AddPolygon(family.Name, 0.4, 0.6),
+        0);
       layout->SetPolygonScale(0, 0.8);
       layout->UpdateTimeStep(t);
       const Box upright = BoxOf(VerticesOf(layout->GetOutput(), 0));
@@ -199,7 +203,11 @@ TEST(PolygonLayout, SameTimeTwiceIsOneExecution)
   layout->UpdateTimeStep(0.5);
   layout->SetPolygonScale(0, 1.0); // as it is
   layout->SetPolygonRange(0, 0.0, 1.0);
-  layout->SetPolygonCount(0, 0);
+  layout->SetPolygonRotation(0, 0.0);
+  layout->SetPolygonCenter(0, 0.5, 0.5);
+  layout->SetPolygonName(0, "");
+  layout->MovePolygon(0, 0);
+  layout->SetFirstTime(0.0);
   layout->UpdateTimeStep(0.5);
   EXPECT_EQ(executions, 1);
   layout->UpdateTimeStep(0.6);
@@ -224,14 +232,20 @@ TEST(PolygonLayout, WrongSettersAreErrors)
   layout->SetPolygonScale(2, 1.0);
   EXPECT_THAT(log.GetText(), HasSubstr("no polygon of index 2"));
   log.Clear();
-  layout->SetPolygonCount(0, 5);
-  EXPECT_THAT(log.GetText(), HasSubstr("polygon 1 (maze) has no count"));
+  layout->SetPolygonParameter(0, "teeth", 5);
+  EXPECT_THAT(
+    log.GetText(), HasSubstr("In polygon 1 (maze): There is no parameter \"teeth\" here"));
   log.Clear();
-  layout->SetPolygonCount(1, 0);
-  EXPECT_THAT(log.GetText(), HasSubstr("teeth of polygon 2 (comb) is 0, expected 1 to 100000"));
-  EXPECT_EQ(layout->GetPolygonCount(1), 10);
-  layout->SetPolygonCount(1, 3);
-  EXPECT_EQ(layout->GetPolygonCount(1), 3);
+  layout->SetPolygonParameter(1, "teeth", 0);
+  EXPECT_THAT(log.GetText(),
+    HasSubstr("In polygon 2 (comb): teeth is 0; it must be an integer between 1 and "));
+  EXPECT_EQ(layout->GetPolygonParameter(1, "teeth"), 10);
+  EXPECT_TRUE(std::isnan(layout->GetPolygonParameter(0, "teeth")));
+  layout->SetPolygonParameter(1, "teeth", 3);
+  EXPECT_EQ(layout->GetPolygonParameter(1, "teeth"), 3);
+  const vtkMTimeType before = layout->GetMTime();
+  layout->SetPolygonParameter(1, "teeth", 3);
+  EXPECT_EQ(layout->GetMTime(), before);
   layout->UpdateTimeStep(1.0);
   EXPECT_EQ(VerticesOf(layout->GetOutput(), 1).size(), 11u);
 }
@@ -293,6 +307,126 @@ TEST(PolygonLayout, FaultsAreToldForAllTimesBeforeMeshing)
     "polygon 1 (isotropy) and polygon 2 (isotropy) overlap at t = 0.3; move them apart or make "
     "them smaller.");
   EXPECT_EQ(layout->FindFaults().size(), 3u);
+}
+
+std::vector<std::string> NamesIn(vtkPEMPolygonLayout* layout)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < layout->GetNumberOfPolygons(); ++i)
+  {
+    names.push_back(layout->GetPolygonName(i));
+  }
+  return names;
+}
+
+TEST(PolygonLayout, DuplicateRemoveAndMove)
+{
+  using testing::ElementsAre;
+  vtkNew<vtkPEMPolygonLayout> layout;
+  layout->AddPolygon("comb", 0.2, 0.2);
+  layout->AddPolygon("maze", 0.5, 0.5);
+  layout->AddPolygon("random", 0.8, 0.8);
+  layout->SetPolygonParameter(2, "seed", 77);
+  layout->SetPolygonRange(2, 0.1, 0.4);
+  layout->SetPolygonName(1, "M");
+  EXPECT_EQ(layout->DuplicatePolygon(2), 3);
+  EXPECT_EQ(layout->GetPolygonParameter(3, "seed"), 77);
+  EXPECT_EQ(layout->GetPolygonTo(3), 0.4);
+  EXPECT_EQ(layout->GetPolygonCenterX(3), 0.8);
+  EXPECT_THAT(NamesIn(layout),
+    ElementsAre("polygon 1 (comb)", "M", "polygon 3 (random)", "polygon 4 (random)"));
+  layout->MovePolygon(0, 2);
+  EXPECT_THAT(NamesIn(layout),
+    ElementsAre("M", "polygon 2 (random)", "polygon 3 (comb)", "polygon 4 (random)"));
+  layout->MovePolygon(3, 0);
+  EXPECT_THAT(NamesIn(layout),
+    ElementsAre("polygon 1 (random)", "M", "polygon 3 (random)", "polygon 4 (comb)"));
+  layout->RemovePolygon(2);
+  EXPECT_THAT(NamesIn(layout), ElementsAre("polygon 1 (random)", "M", "polygon 3 (comb)"));
+  layout->SetPolygonName(1, "");
+  EXPECT_EQ(layout->GetPolygonName(1), "polygon 2 (maze)");
+
+  pemesh::ErrorLog log(layout);
+  const vtkMTimeType before = layout->GetMTime();
+  EXPECT_EQ(layout->DuplicatePolygon(3), -1);
+  layout->RemovePolygon(-1);
+  layout->MovePolygon(0, 3);
+  layout->MovePolygon(1, 1);
+  EXPECT_EQ(layout->GetMTime(), before);
+  EXPECT_THAT(log.GetText(), HasSubstr("no polygon of index 3: the layout has 3"));
+}
+
+TEST(PolygonLayout, PointsStayAsTheyStandBitByBit)
+{
+  const std::vector<double> drawn = { 0.1, 0.1, 0.7, 1.0 / 3.0, 0.45, 0.8, 0.3, 0.31 };
+  vtkNew<vtkPEMPolygonLayout> layout;
+  EXPECT_EQ(layout->AddPolygonFromPoints(drawn), 0);
+  EXPECT_EQ(layout->GetPolygonFamily(0), "points");
+  EXPECT_EQ(layout->GetPolygonPoints(0), drawn);
+  layout->UpdateTimeStep(0.7);
+  const PolygonVertices expected = { { 0.1, 0.1 }, { 0.7, 1.0 / 3.0 }, { 0.45, 0.8 },
+    { 0.3, 0.31 } };
+  EXPECT_EQ(VerticesOf(layout->GetOutput(), 0), expected);
+  EXPECT_EQ(layout->GetTimes().size(), 1u) << "it does not depend on t";
+  EXPECT_NEAR(layout->GetPolygonScale(0), 2.0 * std::hypot(0.6, 0.7), 1e-15);
+  EXPECT_EQ(layout->GetOutput()->GetCellData()->GetArray("ElementFamily")->GetTuple1(0), 10);
+
+  layout->SetPolygonCenter(0, layout->GetPolygonCenterX(0) + 0.125, layout->GetPolygonCenterY(0));
+  layout->Update();
+  const PolygonVertices moved = VerticesOf(layout->GetOutput(), 0);
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(moved[i].x, expected[i].x + 0.125, 1e-15);
+    EXPECT_NEAR(moved[i].y, expected[i].y, 1e-15);
+  }
+}
+
+TEST(PolygonLayout, PointsInEitherOrientationClosedOrNot)
+{
+  vtkNew<vtkPEMPolygonLayout> layout;
+  layout->AddPolygonFromPoints({ 0.1, 0.1, 0.2, 0.4, 0.5, 0.1, 0.1, 0.1 });
+  layout->Update();
+  const PolygonVertices expected = { { 0.1, 0.1 }, { 0.5, 0.1 }, { 0.2, 0.4 } };
+  EXPECT_EQ(VerticesOf(layout->GetOutput(), 0), expected);
+  pemesh::ErrorLog log(layout);
+  EXPECT_EQ(layout->AddPolygonFromPoints({ 0.1, 0.1, 0.2 }), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("3 numbers, expected pairs"));
+  EXPECT_EQ(layout->AddPolygonFromPoints({ 0.1, 0.1, 0.2, 0.2 }), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("has fewer than three points"));
+  EXPECT_EQ(layout->AddPolygonFromPoints({ 0.1, 0.1, 0.2, 0.2, NAN, 0 }, 0.5, 0.5), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("not finite"));
+  EXPECT_EQ(layout->AddPolygonFromPoints({ 1, 1, 1, 1, 1, 1, 1, 1 }), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("too small or too large"));
+  EXPECT_EQ(layout->AddPolygon("points", 0.5, 0.5), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("AddPolygonFromPoints"));
+  EXPECT_EQ(layout->GetNumberOfPolygons(), 1);
+  layout->AddPolygonFromPoints({ 0.6, 0.6, 0.9, 0.9, 0.9, 0.6, 0.6, 0.9 });
+  EXPECT_THAT(layout->FindFault(0.0), HasSubstr("polygon 2 (points) crosses or touches itself"));
+}
+
+TEST(PolygonLayout, FirstPolygonOfAFileIsPlacedLikeTheOthers)
+{
+  const std::filesystem::path folder = pemesh::TestFolder();
+  pemesh::WriteBytes(folder / "two.csv", "x,y\n0,0\n400,0\n0,300\n\n9,9\n8,9\n8,8\n");
+  vtkNew<vtkPEMPolygonLayout> layout;
+  ASSERT_EQ(layout->AddPolygonFromFile((folder / "two.csv").string(), 0.5, 0.25), 0);
+  EXPECT_EQ(layout->GetPolygonFamily(0), "file");
+  EXPECT_EQ(layout->GetPolygonFile(0), (folder / "two.csv").string());
+  layout->SetPolygonScale(0, 2.0);
+  layout->SetPolygonRotation(0, 90.0);
+  layout->Update();
+  const PolygonVertices placed = VerticesOf(layout->GetOutput(), 0);
+  const PolygonVertices expected = { { 0.8, -0.15 }, { 0.8, 0.65 }, { 0.2, -0.15 } };
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(placed[i].x, expected[i].x, 1e-15);
+    EXPECT_NEAR(placed[i].y, expected[i].y, 1e-15);
+  }
+  pemesh::ErrorLog log(layout);
+  pemesh::WriteBytes(folder / "bad.csv", "0,0\n1,a\n");
+  EXPECT_EQ(layout->AddPolygonFromFile((folder / "bad.csv").string(), 0.5, 0.5), -1);
+  EXPECT_THAT(log.GetText(), HasSubstr("bad.csv\", line 2: \"a\" is not a finite number."));
+  EXPECT_EQ(layout->GetNumberOfPolygons(), 1);
 }
 
 } // namespace

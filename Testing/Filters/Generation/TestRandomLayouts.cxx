@@ -36,7 +36,7 @@ public:
     for (int trial = 0; trial < 100 && static_cast<int>(this->Polygons.size()) < wanted; ++trial)
     {
       const bool upright = this->Bits() % 4 == 0;
-      this->Polygons.push_back({ static_cast<int>(this->Bits() % 8), 0.1 + 0.8 * this->Uniform(),
+      this->Polygons.push_back({ static_cast<int>(this->Bits() % 9), 0.1 + 0.8 * this->Uniform(),
         0.1 + 0.8 * this->Uniform(), 0.2 + 0.8 * this->Uniform(),
         upright ? 90.0 * static_cast<double>(this->Bits() % 4) : 360.0 * this->Uniform() });
       vtkNew<vtkPEMPolygonLayout> layout;

@@ -37,7 +37,12 @@ Box PlacedBox(const pemesh::StudyPolygon& polygon, double time)
 {
   const auto* family = pemesh::FindPolygonFamily(polygon.Family);
   const double t = polygon.From + time * (polygon.To - polygon.From);
-  const auto vertices = family->Vertices(t, polygon.Count);
+  pemesh::ParameterValues values(family->Parameters);
+  for (const auto& [name, value] : polygon.Parameters)
+  {
+    values.Set(name, value);
+  }
+  const auto vertices = family->Vertices(t, values);
   Box plain;
   for (const pemesh::Point2& p : vertices)
   {

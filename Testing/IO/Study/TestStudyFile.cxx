@@ -31,11 +31,12 @@ TEST(StudyFile, ReadsEveryKey)
   EXPECT_EQ(comb.Center, (std::array<double, 2>{ 0.3, 0.25 }));
   EXPECT_EQ(comb.Scale, 0.8);
   EXPECT_EQ(comb.Rotation, 15.5);
-  EXPECT_EQ(comb.Count, 7);
+  using Parameters = std::vector<std::pair<std::string, double>>;
+  EXPECT_EQ(comb.Parameters, (Parameters{ { "teeth", 7 } }));
   EXPECT_EQ(comb.From, 0.1);
   EXPECT_EQ(comb.To, 0.95);
-  EXPECT_EQ(study.Polygons[1].Count, 9);
-  EXPECT_EQ(study.Polygons[2].Count, 0);
+  EXPECT_EQ(study.Polygons[1].Parameters, (Parameters{ { "spikes", 9 } }));
+  EXPECT_EQ(study.Polygons[2].Parameters, Parameters());
   EXPECT_EQ(TimesOf(study), (std::vector<double>{ 0.25, 0.5, 0.75 }));
   EXPECT_EQ(study.Mesh.MaximumArea.Rule, "constant");
   EXPECT_EQ(study.Mesh.MaximumArea.Value, 0.01);
@@ -71,7 +72,7 @@ TEST(StudyFile, DefaultsOfAShortStudy)
     R"({"pemesh": 1, "polygons": [{"family": "star"}], "plots": [{"kind": "line", "y": "Area"}]})",
     "my-study.json");
   EXPECT_EQ(study.Name, "my-study");
-  EXPECT_EQ(study.Polygons[0].Count, 40) << "the family's own";
+  EXPECT_EQ(study.Polygons[0].Parameters.at(0).second, 40) << "the family's own";
   EXPECT_EQ(study.Polygons[0].Scale, 1.0);
   EXPECT_EQ(study.Polygons[0].To, 1.0);
   const std::vector<double> times = TimesOf(study);
@@ -147,18 +148,18 @@ TEST(StudyFile, FormattingWritesEveryDefault)
       "center": [0.5, 0.5],
       "scale": 1,
       "rotation": 0,
-      "teeth": 10,
       "from": 0,
-      "to": 1
+      "to": 1,
+      "teeth": 10
     },
     {
       "family": "n-sided",
       "center": [0.5, 0.5],
       "scale": 1,
       "rotation": 0,
-      "sides": 40,
       "from": 0,
-      "to": 1
+      "to": 1,
+      "sides": 40
     }
   ],
   "sweep": [
@@ -292,12 +293,67 @@ TEST(StudyFile, MovedStudyNamesTheSameFiles)
   EXPECT_EQ(pemesh::MoveStudy(moved, "/a/b"), study);
 }
 
+TEST(StudyFile, RandomPolygonsFilesAndPoints)
+{
+  const Study study = ParseStudy(R"({"pemesh": 1, "polygons": [
+    {"family": "random", "seed": 9007199254740991, "vertices": 30, "tangle": 1},
+    {"family": "file", "file": "shapes/a.off", "center": [3, -4]},
+    {"family": "points", "points": [[0.1, 0.1], [0.7, 0.2], [0.3, 0.9]]},
+    {"family": "points", "points": [[0, 0], [3, 0], [0, 4]], "scale": 1}]})",
+    "a/s.json");
+  const std::vector<std::pair<std::string, double>> expected = { { "seed", 9007199254740991.0 },
+    { "vertices", 30 }, { "irregularity", 0.5 }, { "spikiness", 0.5 }, { "tangle", 1 } };
+  EXPECT_EQ(study.Polygons[0].Parameters, expected);
+  EXPECT_EQ(study.Polygons[1].File, "shapes/a.off");
+  EXPECT_EQ(study.Polygons[1].Center, (std::array<double, 2>{ 3.0, -4.0 }));
+  EXPECT_NEAR(study.Polygons[2].Scale, 2.0, 1e-15) << "as it stands";
+  EXPECT_NEAR(study.Polygons[2].Center[0], 0.4, 1e-15);
+  EXPECT_EQ(study.Polygons[3].Scale, 1.0);
+  EXPECT_EQ(study.Polygons[3].Center, (std::array<double, 2>{ 1.5, 2.0 }));
+  EXPECT_EQ(ParseStudy(FormatStudy(study), "a/s.json"), study);
+  const Study moved = pemesh::MoveStudy(study, "b");
+  EXPECT_EQ(moved.Polygons[1].File, "../a/shapes/a.off");
+  EXPECT_EQ(moved.Polygons[0].File, "");
+}
+
+TEST(StudyFile, ScatteredPolygons)
+{
+  const Study study = ParseStudy(
+    R"({"pemesh": 1, "scatter": {"count": 30, "seed": 7, "families": "comb"}})", "s.json");
+  ASSERT_TRUE(study.Scatter);
+  EXPECT_EQ(study.Scatter->Count, 30);
+  EXPECT_EQ(study.Scatter->Families, std::vector<std::string>{ "comb" });
+  EXPECT_EQ(study.Scatter->Gap, 0.01);
+  EXPECT_EQ(pemesh::StudyTimes(study).size(), 20u) << "they deform";
+  EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+  const Study all = ParseStudy(
+    R"({"pemesh": 1, "polygons": [], "scatter": {"order": "random", "smallest-scale": 0.1,
+      "largest-scale": 0.3, "largest-rotation": 0, "gap": 0, "from": 0.5, "to": 0.25}})",
+    "s.json");
+  EXPECT_EQ(ParseStudy(FormatStudy(all), "s.json"), all);
+}
+
+TEST(StudyFile, PolygonsFromATable)
+{
+  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "table";
+  pemesh::WriteTextFile(folder / "sub/p.csv", "family,file,scale\nfile,a.off,0.3\nmaze,,\n");
+  const Study study = ParseStudy(R"({"pemesh": 1, "polygons": "sub/p.csv"})", folder / "s.json");
+  ASSERT_EQ(study.Polygons.size(), 2u);
+  EXPECT_EQ(study.Polygons[0].File, "sub/a.off") << "relative to the study";
+  EXPECT_EQ(study.Polygons[0].Scale, 0.3);
+  EXPECT_NE(FormatStudy(study).find("\"family\": \"maze\""), std::string::npos) << "as a list";
+  EXPECT_EQ(ParseStudy(FormatStudy(study), folder / "s.json"), study);
+  EXPECT_NE(Complaint([&] { ParseStudy(R"({"pemesh": 1, "polygons": "no.csv"})", "s.json"); })
+              .find("polygons names a table that cannot be read: "),
+    std::string::npos);
+}
+
 TEST(StudyFile, EveryKeyIsExplained)
 {
   const std::string text = pemesh::DescribeStudyKeys();
   for (const char* line :
-    { "\npolygons[].teeth: integer between 1 and 100000", "\npolygons[].spikes",
-      "\nmesh.min-angle: number between 0 and 33, default 20.",
+    { "\npolygons[].teeth: integer between 1 and 100000. Extra teeth at t = 1; by default 10.",
+      "\npolygons[].spikes", "\nmesh.min-angle: number between 0 and 33, default 20.",
       "\nmesh.max-area.rule: one of none, shortest-edge, diagonal, constant, default \"diagonal\"",
       "\nsweep[].count: integer between 1 and 10000000, default 20.",
       "\nplots[].log: ", "\nsolvers[].solver: text, required.", "\noutput.formats: " })
