@@ -5,6 +5,7 @@
 #include "AgglomerationInput.h"
 #include "AgglomerationState.h"
 #include "ElementMerger.h"
+#include "MeshOrder.h"
 #include "MetricRegistry.h"
 
 #include <algorithm>
@@ -73,18 +74,24 @@ int FindTarget(const PolygonMesh& mesh, const AgglomerationOptions& options)
   return std::max(1, static_cast<int>(std::lround(percentage / 100.0 * mesh.NumberOfElements())));
 }
 
-void CollectMesh(ElementMerger& merger, AgglomerationResult& result)
+/** The loops of the groups, with the numbers of the old mesh. */
+void CollectMesh(const PolygonMesh& mesh, const OrderedMesh& ordered, ElementMerger& merger,
+  AgglomerationResult& result)
 {
-  const PolygonMesh& mesh = merger.GetMesh();
-  const int elements = mesh.NumberOfElements();
-  std::vector<int> number(static_cast<std::size_t>(elements), -1); // of groups
-  result.Group.resize(number.size());
+  const auto elements = static_cast<std::size_t>(mesh.NumberOfElements());
+  std::vector<int> groupOfOld(elements);
+  for (std::size_t element = 0; element < elements; ++element)
+  {
+    groupOfOld[ordered.OldElement[element]] = merger.Find(static_cast<int>(element));
+  }
+  std::vector<int> number(elements, -1); // of groups
+  result.Group.resize(elements);
   result.Mesh.Points = mesh.Points;
   result.Mesh.Offsets.reserve(static_cast<std::size_t>(merger.GetNumberOfGroups()) + 1);
   std::vector<int> vertices;
-  for (int element = 0; element < elements; ++element)
+  for (std::size_t old = 0; old < elements; ++old)
   {
-    const int group = merger.Find(element);
+    const int group = groupOfOld[old];
     if (number[group] < 0)
     {
       number[group] = result.Mesh.NumberOfElements();
@@ -93,13 +100,24 @@ void CollectMesh(ElementMerger& merger, AgglomerationResult& result)
       int side = first;
       do
       {
-        vertices.push_back(merger.GetVertex(side));
+        vertices.push_back(ordered.OldPoint[merger.GetVertex(side)]);
         side = merger.GetNextSide(side);
       } while (side != first);
       result.Mesh.AddElement(vertices);
     }
-    result.Group[element] = number[group];
+    result.Group[old] = number[group];
   }
+}
+
+/** What was placed, by the new numbers. */
+std::vector<bool> ReorderPlaced(const std::vector<bool>& placed, const OrderedMesh& ordered)
+{
+  std::vector<bool> reordered(ordered.OldElement.size(), false);
+  for (std::size_t element = 0; !placed.empty() && element < reordered.size(); ++element)
+  {
+    reordered[element] = placed[ordered.OldElement[element]];
+  }
+  return reordered;
 }
 
 } // namespace
@@ -121,16 +139,19 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
     result.Status = AgglomerationStatus::Misconfigured;
     return result;
   }
-  MeshAdjacency adjacency = FindAdjacency(mesh);
-  result.Message = WhyNotAgglomerable(mesh, adjacency);
-  if (!result.Message.empty())
+  OrderedMesh ordered;
   {
-    result.Status = AgglomerationStatus::NotAgglomerable;
-    return result;
+    const MeshAdjacency adjacency = FindAdjacency(mesh);
+    result.Message = WhyNotAgglomerable(mesh, adjacency);
+    if (!result.Message.empty())
+    {
+      result.Status = AgglomerationStatus::NotAgglomerable;
+      return result;
+    }
+    ordered = OrderAlongCurve(mesh, adjacency);
   }
-  std::vector<bool> placed = options.Placed;
-  placed.resize(static_cast<std::size_t>(mesh.NumberOfElements()), false);
-  ElementMerger merger(mesh, std::move(adjacency));
+  const std::vector<bool> placed = ReorderPlaced(options.Placed, ordered);
+  ElementMerger merger(ordered.Mesh, std::move(ordered.Adjacency));
   AgglomerationState state{ merger, placed, options.KeepPlaced, FindTarget(mesh, options),
     options.TargetElements > 0 || FindPercentage(options) > 0.0, options.Metric, options.Parameters,
     progress, {} };
@@ -145,7 +166,7 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
     result.Status = AgglomerationStatus::NotAgglomerable;
     return result;
   }
-  CollectMesh(merger, result);
+  CollectMesh(mesh, ordered, merger, result);
   result.MovedArea = RemoveStraightVertices(result.Mesh, options.StraightVertices);
   RemoveUnusedPoints(result.Mesh);
   return result;

@@ -19,6 +19,7 @@ namespace pemesh
 
 struct Metric;
 
+/** Elements are numbered along a Hilbert curve (MeshOrder.h), whatever the order of the input. */
 struct AgglomerationState
 {
   ElementMerger& Merger;

@@ -8,6 +8,7 @@
 #define pemesh_PartMerger_h
 
 #include "AgglomerationState.h"
+#include "pemeshFiltersAgglomerationModule.h" // For export macro
 
 #include <vector>
 
@@ -30,7 +31,7 @@ namespace pemesh
  * unless the rest cannot be merged (an element that would close a ring around a kept one).
  * False if it was stopped.
  */
-bool MergeParts(
+PEMESHFILTERSAGGLOMERATION_EXPORT bool MergeParts(
   AgglomerationState& state, std::vector<int>& part, int parts, const std::vector<int>& weights);
 
 } // namespace pemesh

@@ -3,16 +3,13 @@
 #include "AgglomerationState.h"
 #include "DualGraph.h"
 #include "ElementGeometry.h"
-#include "HilbertCurve.h"
 #include "MetricRegistry.h"
 #include "PartMerger.h"
-#include "PolygonMeasures.h"
 #include "RuleFunctions.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <utility>
 
 namespace pemesh
 {
@@ -70,47 +67,6 @@ std::vector<int> MakeWeights(const AgglomerationState& state)
   return weights;
 }
 
-/** Where a double in [0, 1] falls in 2^31 cells. */
-std::uint32_t CellOf(double fraction)
-{
-  return static_cast<std::uint32_t>(std::clamp(fraction, 0.0, 1.0) * 2147483647.0);
-}
-
-/** The elements that may be merged, along a Hilbert curve through their centroids. */
-std::vector<int> SortAlongCurve(const AgglomerationState& state)
-{
-  const PolygonMesh& mesh = state.Merger.GetMesh();
-  Point2 low = mesh.Points[mesh.Vertices[0]];
-  Point2 high = low;
-  for (const int vertex : mesh.Vertices)
-  {
-    const Point2& point = mesh.Points[vertex];
-    low = { std::min(low.x, point.x), std::min(low.y, point.y) };
-    high = { std::max(high.x, point.x), std::max(high.y, point.y) };
-  }
-  const double size = std::max(high.x - low.x, high.y - low.y);
-  std::vector<std::pair<std::uint64_t, int>> keys;
-  std::vector<Point2> vertices;
-  for (int element = 0; element < mesh.NumberOfElements(); ++element)
-  {
-    if (!state.IsKept(element))
-    {
-      mesh.GetVertices(element, vertices);
-      const Point2 center = Centroid(vertices);
-      keys.emplace_back(
-        HilbertKey(CellOf((center.x - low.x) / size), CellOf((center.y - low.y) / size)), element);
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  std::vector<int> order;
-  order.reserve(keys.size());
-  for (const auto& [key, element] : keys)
-  {
-    order.push_back(element);
-  }
-  return order;
-}
-
 } // namespace
 
 bool MergeByMetis(AgglomerationState& state)
@@ -147,20 +103,28 @@ bool MergeByMetis(AgglomerationState& state)
 
 bool MergeByCurve(AgglomerationState& state)
 {
-  const std::vector<int> order = SortAlongCurve(state);
-  const auto elements = static_cast<std::int64_t>(order.size());
+  const int elements = state.Merger.GetMesh().NumberOfElements();
+  // Elements are numbered along the curve already: see AgglomerationState.
+  std::vector<int> order;
+  for (int element = 0; element < elements; ++element)
+  {
+    if (!state.IsKept(element))
+    {
+      order.push_back(element);
+    }
+  }
+  const auto free = static_cast<std::int64_t>(order.size());
   if (!state.HasTarget)
   {
-    const double block = state.Parameters.Get("elements-per-block");
-    const auto kept = state.Merger.GetMesh().NumberOfElements() - static_cast<int>(elements);
+    const double blocks = static_cast<double>(free) / state.Parameters.Get("elements-per-block");
     state.Target =
-      kept + std::max(1, static_cast<int>(std::lround(static_cast<double>(elements) / block)));
+      elements - static_cast<int>(free) + std::max(1, static_cast<int>(std::lround(blocks)));
   }
   const int parts = CountParts(state);
-  std::vector<int> part(static_cast<std::size_t>(state.Merger.GetMesh().NumberOfElements()), -1);
-  for (std::int64_t i = 0; i < elements; ++i)
+  std::vector<int> part(static_cast<std::size_t>(elements), -1);
+  for (std::int64_t i = 0; i < free; ++i)
   {
-    part[order[i]] = static_cast<int>(i * parts / elements);
+    part[order[i]] = static_cast<int>(i * parts / free);
   }
   return MergeParts(state, part, parts, std::vector<int>(part.size(), 1));
 }

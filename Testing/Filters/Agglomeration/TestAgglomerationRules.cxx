@@ -4,12 +4,17 @@
 
 #include "Agglomeration.h"
 #include "AgglomerationChecks.h"
+#include "AgglomerationState.h"
+#include "ElementGeometry.h"
 #include "MetricRegistry.h"
+#include "PartMerger.h"
 #include "SampleMeshes.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace pemesh
@@ -140,6 +145,200 @@ TEST(AgglomerationRules, RandomReachesTheTarget)
     }
   }
   EXPECT_EQ(results.size(), 10U); // 800 and 1 leave no choice
+}
+
+/** How many old elements each new one is made of. */
+std::vector<int> CountMembers(const AgglomerationResult& result)
+{
+  std::vector<int> members(static_cast<std::size_t>(result.Mesh.NumberOfElements()), 0);
+  for (const int group : result.Group)
+  {
+    ++members[static_cast<std::size_t>(group)];
+  }
+  return members;
+}
+
+/** Every rule with a target, on meshes where nothing stands in its way. */
+TEST(AgglomerationRules, MeetTheTargetExactly)
+{
+  for (const PolygonMesh& mesh : { TriangleGrid(20, 20, 3), BrickWall(16, 24, 4) })
+  {
+    for (const char* name : { "random", "quality", "metis", "regular" })
+    {
+      for (const int target : { 300, 100, 37, 2 })
+      {
+        AgglomerationOptions options(*FindAgglomerationRule(name));
+        options.TargetElements = target;
+        const AgglomerationResult result = Agglomerate(mesh, options);
+        ASSERT_EQ(WhyNotAnAgglomeration(mesh, result), "");
+        EXPECT_EQ(result.Mesh.NumberOfElements(), target) << name;
+      }
+    }
+  }
+}
+
+TEST(AgglomerationRules, APercentageIsOfTheInput)
+{
+  AgglomerationOptions options(*FindAgglomerationRule("metis"));
+  EXPECT_EQ(Agglomerate(TriangleGrid(10, 10, 1), options).Mesh.NumberOfElements(), 40);
+  options.TargetPercentage = 7.5;
+  EXPECT_EQ(Agglomerate(TriangleGrid(10, 10, 1), options).Mesh.NumberOfElements(), 15);
+}
+
+TEST(AgglomerationRules, RegularBlocksHoldAboutAsManyElements)
+{
+  const PolygonMesh mesh = TriangleGrid(32, 32, 5);
+  AgglomerationOptions options(*FindAgglomerationRule("regular"));
+  options.Parameters.Set("elements-per-block", 16.0);
+  const AgglomerationResult result = Agglomerate(mesh, options);
+  const std::vector<int> members = CountMembers(result);
+  EXPECT_EQ(members.size(), 128U);
+  EXPECT_LE(*std::max_element(members.begin(), members.end()), 32);
+  EXPECT_GE(std::count(members.begin(), members.end(), 16), 64);
+}
+
+TEST(AgglomerationRules, MetisPartsAreEven)
+{
+  const PolygonMesh mesh = TriangleGrid(64, 64, 5);
+  AgglomerationOptions options(*FindAgglomerationRule("metis"));
+  options.TargetElements = 819;
+  const std::vector<int> members = CountMembers(Agglomerate(mesh, options));
+  EXPECT_LE(*std::max_element(members.begin(), members.end()), 20);
+  const auto even = std::count_if(
+    members.begin(), members.end(), [](int count) { return count >= 8 && count <= 12; });
+  EXPECT_GT(even, 700);
+}
+
+/** Columns ten times as wide on the right: by area, few of those make up many of the others. */
+TEST(AgglomerationRules, MetisWeighsByAMetric)
+{
+  PolygonMesh mesh = TriangleGrid(24, 24, 5);
+  for (Point2& point : mesh.Points)
+  {
+    point.x = point.x <= 12.0 ? point.x : 12.0 + 10.0 * (point.x - 12.0);
+  }
+  AgglomerationOptions options(*FindAgglomerationRule("metis"));
+  options.TargetElements = 55;
+  options.Metric = FindMetric("Area");
+  const AgglomerationResult result = Agglomerate(mesh, options);
+  ASSERT_EQ(WhyNotAnAgglomeration(mesh, result), "");
+  int left = 0;
+  for (int element = 0; element < result.Mesh.NumberOfElements(); ++element)
+  {
+    left += result.Mesh.Points[result.Mesh.Element(element)[0]].x < 11.0 ? 1 : 0;
+  }
+  EXPECT_LE(left, 9); // a part in eleven of the area, or 5 of 55 elements; 27 by number
+  EXPECT_GE(left, 2);
+}
+
+/** One needle among squares: it goes first, and into the neighbour along its long side. */
+TEST(AgglomerationRules, QualityMergesTheWorstFirst)
+{
+  PolygonMesh mesh;
+  mesh.Points = { { 0, 0 }, { 1, 0 }, { 1.01, 0 }, { 2.01, 0 }, { 0, 1 }, { 1, 1 }, { 1.01, 1 },
+    { 2.01, 1 }, { 0, 2 }, { 1, 2 }, { 1.01, 2 }, { 2.01, 2 } };
+  mesh.AddElement(std::vector<int>{ 0, 1, 5, 4 });
+  mesh.AddElement(std::vector<int>{ 1, 2, 6, 5 }); // the needle
+  mesh.AddElement(std::vector<int>{ 2, 3, 7, 6 });
+  mesh.AddElement(std::vector<int>{ 4, 5, 6, 10, 9, 8 });
+  mesh.AddElement(std::vector<int>{ 6, 7, 11, 10 });
+  AgglomerationOptions options(*FindAgglomerationRule("quality"));
+  for (const char* metric : { "AreaPerimeterRatio", "ShapeRegularity", "EdgeRatio" })
+  {
+    options.Metric = FindMetric(metric);
+    ASSERT_TRUE(options.Metric);
+    options.TargetElements = 4;
+    const AgglomerationResult result = Agglomerate(mesh, options);
+    ASSERT_EQ(WhyNotAnAgglomeration(mesh, result), "");
+    EXPECT_NE(result.Group[1] == result.Group[0], result.Group[1] == result.Group[2]) << metric;
+    EXPECT_EQ(result.Mesh.NumberOfElements(), 4);
+  }
+}
+
+/** What merging is for: the worst of the mesh is better than before. */
+TEST(AgglomerationRules, QualityRemovesTheWorst)
+{
+  PolygonMesh mesh = TriangleGrid(20, 20, 6);
+  for (Point2& point : mesh.Points)
+  {
+    point.y *= 0.2; // flat triangles
+  }
+  const Metric* metric = FindMetric("AreaPerimeterRatio");
+  AgglomerationOptions options(*FindAgglomerationRule("quality"));
+  options.Metric = metric;
+  const auto worst = [metric](const PolygonMesh& measured)
+  {
+    ElementGeometry geometry;
+    std::vector<Point2> vertices;
+    double least = 1.0;
+    for (int element = 0; element < measured.NumberOfElements(); ++element)
+    {
+      measured.GetVertices(element, vertices);
+      geometry.SetVertices(vertices);
+      least = std::min(least, metric->Function(geometry));
+    }
+    return least;
+  };
+  EXPECT_GT(worst(Agglomerate(mesh, options).Mesh), 1.2 * worst(mesh));
+}
+
+/** Partitions worse than any partitioner makes them. */
+TEST(AgglomerationRules, RepairsAnyPartition)
+{
+  const PolygonMesh mesh = TriangleGrid(12, 12, 7);
+  const int elements = mesh.NumberOfElements();
+  const ParameterValues none;
+  const std::function<bool(double)> progress;
+  const std::vector<bool> placed(static_cast<std::size_t>(elements), false);
+  for (const int stride : { 1, 2, 5, 7, 40 })
+  {
+    ElementMerger merger(mesh, FindAdjacency(mesh));
+    AgglomerationState state{ merger, placed, true, 40, true, nullptr, none, progress, {} };
+    std::vector<int> part;
+    for (int element = 0; element < elements; ++element)
+    {
+      part.push_back(element / stride % 20); // in many pieces; parts 20 to 39 are empty
+    }
+    ASSERT_TRUE(MergeParts(state, part, 40, std::vector<int>(part.size(), 1)));
+    EXPECT_EQ(merger.GetNumberOfGroups(), 40);
+    std::vector<Point2> vertices;
+    for (int group = 0; group < elements; ++group)
+    {
+      if (merger.IsGroup(group))
+      {
+        merger.GetVertices(group, vertices);
+        EXPECT_TRUE(IsSimpleAndCounterClockwise(vertices));
+      }
+    }
+  }
+}
+
+/** A part that is a disc stays whole, however its elements are numbered. */
+TEST(AgglomerationRules, KeepsPartsThatAreDiscs)
+{
+  const PolygonMesh mesh = TriangleGrid(24, 24, 8);
+  const ParameterValues none;
+  const std::function<bool(double)> progress;
+  const std::vector<bool> placed(static_cast<std::size_t>(mesh.NumberOfElements()), false);
+  ElementMerger merger(mesh, FindAdjacency(mesh));
+  AgglomerationState state{ merger, placed, true, 1, true, nullptr, none, progress, {} };
+  std::vector<int> part;
+  for (int element = 0; element < mesh.NumberOfElements(); ++element)
+  {
+    const int column = element / 2 % 24;
+    const int row = element / 2 / 24;
+    part.push_back(column / 6 + 4 * (row / 6));
+  }
+  state.Target = 16;
+  ASSERT_TRUE(MergeParts(state, part, 16, std::vector<int>(part.size(), 1)));
+  EXPECT_EQ(merger.GetNumberOfGroups(), 16);
+  for (int element = 0; element < mesh.NumberOfElements(); ++element)
+  {
+    for (int other = 0; other < element; other += 17)
+    {
+      EXPECT_EQ(merger.Find(element) == merger.Find(other), part[element] == part[other]);
+    }
+  }
 }
 
 TEST(AgglomerationRules, UnknownNamesAreToldTheNearest)
