@@ -127,8 +127,8 @@ vtkAlgorithm* StudyGeneration::Configure(const Study& study)
   };
   if (study.Mesh.Tile != std::array<int, 2>{ 1, 1 })
   {
-    this->Tile->SetColumns(study.Mesh.Tile[0]);
-    this->Tile->SetRows(study.Mesh.Tile[1]);
+    this->Tile->SetNumberOfColumns(study.Mesh.Tile[0]);
+    this->Tile->SetNumberOfRows(study.Mesh.Tile[1]);
     append(this->Tile);
   }
   if (study.Mesh.Mirror > 0)

@@ -43,7 +43,7 @@ public:
       for (int column = 0; column < this->Lattice.Columns; ++column)
       {
         this->Split({ column * this->Unit, row * this->Unit, this->Unit });
-        if (static_cast<double>(this->Leaves.size()) > this->MostLeaves)
+        if (this->IsFull())
         {
           return false;
         }
@@ -64,8 +64,14 @@ public:
   }
 
 private:
+  bool IsFull() const { return static_cast<double>(this->Leaves.size()) > this->MostLeaves; }
+
   void Split(const Leaf& leaf)
   {
+    if (this->IsFull())
+    {
+      return;
+    }
     if (leaf.Size == 1 || this->Random.Fraction() >= this->Share)
     {
       for (const std::int64_t row : { leaf.Row, leaf.Row + leaf.Size })

@@ -43,6 +43,10 @@ constexpr Parameter KochAmplitude = { "amplitude",
 constexpr Parameter Slant = { "slant", "1 would make triangles", 0.5, 0, 0.99 };
 constexpr Parameter Offset = { "offset", "how far joints are apart, in sides", 0.5, 0, 0.5 };
 
+constexpr Parameter Agglomerates = { "cells", "number of elements", 100, 1, 1e8, true };
+constexpr Parameter Fineness = { "fineness", "Voronoi cells merged to one element on average", 8, 1,
+  1000, true };
+
 constexpr Parameter VoronoiParameters[] = { Cells, Spacing, Seed };
 constexpr Parameter CentroidalParameters[] = { Cells, Iterations, Seed };
 constexpr Parameter HexagonParameters[] = { CellsOnSide };
@@ -55,6 +59,7 @@ constexpr Parameter ZigzagParameters[] = { Squares, Teeth, Amplitude };
 constexpr Parameter KochParameters[] = { Squares, Depth, KochAmplitude };
 constexpr Parameter TrapezoidParameters[] = { Squares, Slant };
 constexpr Parameter BrickParameters[] = { Squares, Offset };
+constexpr Parameter AgglomerateParameters[] = { Agglomerates, Fineness, Seed };
 
 constexpr const char* HitchhikersGuide =
   "L. Beirao da Veiga, F. Brezzi, L. D. Marini, A. Russo, The hitchhiker's guide to the virtual "
@@ -80,6 +85,15 @@ constexpr const char* SmallEdges =
   "S. C. Brenner, L.-Y. Sung, Virtual element methods on meshes with small edges or faces, "
   "Mathematical Models and Methods in Applied Sciences 28 (2018) 1291-1336, "
   "doi:10.1142/S0218202518500355";
+
+constexpr const char* ArbitraryElements =
+  "A. Cangiani, Z. Dong, E. H. Georgoulis, hp-Version discontinuous Galerkin methods on "
+  "essentially "
+  "arbitrarily-shaped elements, 2019, doi:10.48550/arXiv.1906.01715";
+constexpr const char* AgglomeratedElements =
+  "F. Bassi, L. Botti, A. Colombo, D. A. Di Pietro, P. Tesini, On the flexibility of agglomeration "
+  "based physical space discontinuous Galerkin discretizations, Journal of Computational Physics "
+  "231 (2012) 45-65, doi:10.1016/j.jcp.2011.08.018";
 
 constexpr Tessellation Table[] = {
   { "voronoi", "Voronoi cells of random points",
@@ -117,7 +131,10 @@ constexpr Tessellation Table[] = {
   { "zigzag", "Zigzag", "squares whose horizontal edges are saws", EscherElements, ZigzagParameters,
     &MakeZigzag },
   { "koch", "Koch's curves", "squares whose inner edges are curves of Koch, of a finite depth",
-    EscherElements, KochParameters, &MakeKoch },
+    ArbitraryElements, KochParameters, &MakeKoch },
+  { "random-agglomerates", "Random agglomerates",
+    "the Voronoi cells of random points, merged with neighbours at random", AgglomeratedElements,
+    AgglomerateParameters, &MakeRandomAgglomerates },
 };
 
 /** Strictly convex: a left turn at each vertex, and one turn around in all. Fast, and exact. */

@@ -31,6 +31,7 @@ PEMESHFILTERSTESSELLATION_EXPORT std::string RelaxSites(const Domain& domain, in
 /** Entries of the table of tessellations. */
 TessellationResult MakeVoronoi(const TessellationInput& input);
 TessellationResult MakeCentroidalVoronoi(const TessellationInput& input);
+TessellationResult MakeRandomAgglomerates(const TessellationInput& input);
 ///@}
 
 } // namespace pemesh
