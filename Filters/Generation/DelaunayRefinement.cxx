@@ -3,8 +3,11 @@
 #include "DelaunayRefinement.h"
 
 #include "BoundarySplitter.h"
+#include "LatticePoints.h"
 #include "PlaneVectors.h"
 #include "Predicates.h"
+#include "SizeField.h"
+#include "TriangulationWalk.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +23,9 @@ namespace
 
 /** Off-centres lie this little nearer than the angle needs, so that rounding cannot spoil it. */
 constexpr double OffCenterFactor = 0.95;
+
+/** Areas keep this little below their bound, so that rounding in whoever measures finds no more. */
+constexpr double RoundingShare = 1.0 - 1e-12;
 
 /** What is known of a triangle: its shortest edge, and why it has to go. */
 struct Shape
@@ -53,27 +59,6 @@ struct BadTriangle
   }
 };
 
-/** A preserved segment that is long for the area bound, which is graded towards it. */
-struct LongSegment
-{
-  Point2 From;
-  Point2 To;
-  double Length;
-};
-
-/** Side of the equilateral triangle of this area. */
-double SideOfArea(double area)
-{
-  return 2.0 * std::sqrt(area / std::numbers::sqrt3);
-}
-
-double DistanceToSegment(const Point2& point, const Point2& from, const Point2& to)
-{
-  const Point2 along = to - from;
-  const double place = std::clamp(Dot(point - from, along) / Dot(along, along), 0.0, 1.0);
-  return std::sqrt(SquaredDistance(point, { from.x + place * along.x, from.y + place * along.y }));
-}
-
 enum class Attempt
 {
   Inserted,
@@ -93,14 +78,13 @@ enum class Purpose
 class Refinement
 {
 public:
-  Refinement(
-    RefinableTriangulation& mesh, const DomainBoundary& boundary, const RefinementOptions& options);
+  Refinement(DomainTriangulation& triangulation, const DomainBoundary& boundary,
+    const RefinementOptions& options);
 
   RefinementOutcome Run();
 
 private:
-  void FindLongSegments();
-  double AreaBound(const Point2& point) const;
+  bool InsertLattice();
   Shape Measure(int triangle) const;
   void Judge(int triangle);
   void LookAtStar();
@@ -114,73 +98,37 @@ private:
   bool Continue();
 
   RefinableTriangulation& Mesh;
+  const OutsideTriangles& Outside;
+  const DomainBoundary& Boundary;
   const RefinementOptions& Options;
   BoundarySplitter Splitter;
+  SizeField Size;
   double SquaredSine;   ///< of the minimum angle
   double CotangentHalf; ///< of half of it
   double CosineTwice;   ///< of twice of it
-  std::vector<LongSegment> LongSegments;
   std::priority_queue<BadTriangle> Bad;
   std::uint64_t NextOrder = 0;
+  std::size_t PointsWaiting = 0;
   std::uint64_t Steps = 0;
   double Fraction = 0.0;
   RefinementOutcome Outcome = RefinementOutcome::Done;
 };
 
-Refinement::Refinement(
-  RefinableTriangulation& mesh, const DomainBoundary& boundary, const RefinementOptions& options)
-  : Mesh(mesh)
+Refinement::Refinement(DomainTriangulation& triangulation, const DomainBoundary& boundary,
+  const RefinementOptions& options)
+  : Mesh(triangulation.Inside)
+  , Outside(triangulation.Outside)
+  , Boundary(boundary)
   , Options(options)
-  , Splitter(mesh, boundary, options.Preserved, [this] { this->LookAtStar(); })
+  , Splitter(triangulation.Inside, boundary, options.Preserved, [this] { this->LookAtStar(); })
+  , Size(boundary,
+      { options.MaximumArea, options.Gradation, options.SizeAtPolygons, options.Preserved })
 {
   const double angle = options.MinimumAngle * std::numbers::pi / 180.0;
   // A little more than asked for, so that rounding in whoever measures finds no less.
   this->SquaredSine = std::sin(angle) * std::sin(angle) * (1.0 + 1e-10);
   this->CotangentHalf = 1.0 / std::tan(0.5 * angle);
   this->CosineTwice = std::cos(2.0 * angle);
-  this->FindLongSegments();
-}
-
-void Refinement::FindLongSegments()
-{
-  const double side = SideOfArea(this->Options.MaximumArea);
-  for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
-  {
-    const RefinableTriangulation::Segment& piece = this->Mesh.GetSegment(segment);
-    if (!this->Options.Preserved[piece.Input])
-    {
-      continue;
-    }
-    const int* vertex = this->Mesh.GetTriangle(piece.Triangle).Vertex;
-    const int edge = this->Mesh.EdgeOfSegment(segment);
-    const Point2& from = this->Mesh.GetPoint(vertex[(edge + 1) % 3]);
-    const Point2& to = this->Mesh.GetPoint(vertex[(edge + 2) % 3]);
-    const double length = std::sqrt(SquaredDistance(from, to));
-    if (length > side)
-    {
-      this->LongSegments.push_back({ from, to, length });
-    }
-  }
-}
-
-/**
- * The area bound at a point. An edge that must keep its length L has a round triangle only if that
- * is about as large as L; so the side of triangles falls from L at the edge with the slope
- * `Grading` of the distance to it, until it is that of the bound. Without this the bound would
- * force flat triangles, layer upon layer. The slope was tried out on pairs of families: up to 1.5
- * the minimum angle of 20 degrees was reached but for single triangles at a preserved edge, from 2
- * on it was not.
- */
-double Refinement::AreaBound(const Point2& point) const
-{
-  constexpr double Grading = 1.5;
-  double side = 0.0;
-  for (const LongSegment& segment : this->LongSegments)
-  {
-    side =
-      std::max(side, segment.Length - Grading * DistanceToSegment(point, segment.From, segment.To));
-  }
-  return std::max(this->Options.MaximumArea, 0.25 * std::numbers::sqrt3 * side * side);
 }
 
 Shape Refinement::Measure(int triangle) const
@@ -202,10 +150,10 @@ Shape Refinement::Measure(int triangle) const
   // The smallest angle is at the apex, and its sine is twice the area over the two long sides.
   const double sides = squared[(edge + 1) % 3] * squared[(edge + 2) % 3];
   shape.TooFlat = 4.0 * shape.Area * shape.Area < this->SquaredSine * sides;
-  shape.TooLarge = shape.Area > this->Options.MaximumArea * (1.0 - 1e-12);
-  if (shape.TooLarge && !this->LongSegments.empty())
+  shape.TooLarge = shape.Area > this->Size.GetLeastBound() * RoundingShare;
+  if (shape.TooLarge && !this->Size.IsUniform())
   {
-    shape.TooLarge = shape.Area > this->AreaBound(Centroid(shape)) * (1.0 - 1e-12);
+    shape.TooLarge = this->Size.IsTooLarge(shape.Area / RoundingShare, Centroid(shape));
   }
   return shape;
 }
@@ -218,7 +166,7 @@ void Refinement::Judge(int triangle)
   {
     return;
   }
-  double badness = 2.0 + shape.Area / this->Options.MaximumArea;
+  double badness = 2.0 + shape.Area / this->Size.GetLeastBound();
   if (!shape.TooLarge)
   {
     const Point2 from = shape.From - shape.Apex;
@@ -347,7 +295,7 @@ Attempt Refinement::RefineLarge(int triangle, const Shape& shape)
 {
   const Point2 center = AboveEdge(shape, this->CenterHeight(shape));
   const Attempt attempt = this->TryPoint(triangle, center, Purpose::Area, 0.0, 0.0);
-  if (attempt != Attempt::Refused || !this->LongSegments.empty())
+  if (attempt != Attempt::Refused || this->Size.HasLongPreservedSegments())
   {
     return attempt;
   }
@@ -383,6 +331,38 @@ Attempt Refinement::RefineFlat(int triangle, const Shape& shape)
   return attempt;
 }
 
+/** Inserts the lattice where the bound is as it is; false if the work has to stop. */
+bool Refinement::InsertLattice()
+{
+  const std::vector<Point2> points = MakeLatticePoints(this->Boundary, this->Options.MaximumArea);
+  this->Mesh.Reserve(points.size());
+  TriangulationWalk walk(this->Mesh, this->Outside);
+  int last = 0;
+  this->PointsWaiting = points.size();
+  for (const Point2& point : points)
+  {
+    --this->PointsWaiting;
+    if (!this->Size.IsUniform() && this->Size.AreaBoundAt(point) != this->Options.MaximumArea)
+    {
+      continue;
+    }
+    const int triangle = walk.Find(point, last);
+    if (triangle >= 0)
+    {
+      this->Mesh.FindZone(triangle, point);
+      if (this->Mesh.InsertInZone(point) >= 0)
+      {
+        last = this->Mesh.GetStar().front();
+      }
+    }
+    if (!this->Continue())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** Counts a step; false if the work has to stop. */
 bool Refinement::Continue()
 {
@@ -395,7 +375,7 @@ bool Refinement::Continue()
   if (this->Steps % 512 == 0 && this->Options.Progress)
   {
     const double done = static_cast<double>(this->Steps);
-    const double waiting = static_cast<double>(this->Bad.size());
+    const double waiting = static_cast<double>(this->Bad.size() + this->PointsWaiting);
     this->Fraction = std::max(this->Fraction, done / (done + waiting));
     if (!this->Options.Progress(this->Fraction))
     {
@@ -409,6 +389,10 @@ bool Refinement::Continue()
 RefinementOutcome Refinement::Run()
 {
   const auto proceed = [this] { return this->Continue(); };
+  if (std::isfinite(this->Options.MaximumArea) && !this->InsertLattice())
+  {
+    return this->Outcome;
+  }
   for (int segment = 0; segment < this->Mesh.NumberOfSegments(); ++segment)
   {
     if (this->Splitter.CanSplit(segment) && this->Splitter.IsEncroached(segment))
@@ -450,7 +434,7 @@ RefinementOutcome Refinement::Run()
 
 } // namespace
 
-RefinementOutcome RefineTriangulation(RefinableTriangulation& triangulation,
+RefinementOutcome RefineTriangulation(DomainTriangulation& triangulation,
   const DomainBoundary& boundary, const RefinementOptions& options)
 {
   return Refinement(triangulation, boundary, options).Run();

@@ -19,8 +19,6 @@ namespace pemesh
 namespace
 {
 
-const std::vector<Point2> UnitSquare = { { 0.0, 0.0 }, { 1.0, 0.0 }, { 1.0, 1.0 }, { 0.0, 1.0 } };
-
 std::string TooManyElements(const DomainMeshOptions& options, double expected)
 {
   std::string message =
@@ -33,10 +31,18 @@ std::string TooManyElements(const DomainMeshOptions& options, double expected)
   return message + "; choose a larger maximum area, a smaller minimum angle or a higher limit.";
 }
 
-/** Least number of triangles that the area bound asks for. */
-double LeastNumberOfTriangles(const std::vector<std::vector<Point2>>& polygons, double maximumArea)
+std::string TooThin(int loop, std::size_t numberOfPolygons)
 {
-  double area = 1.0;
+  const bool isPolygon = loop < static_cast<int>(numberOfPolygons);
+  return (isPolygon ? "Polygon " + std::to_string(loop + 1) : std::string("The domain")) +
+    " is too thin for its edges to be split in double precision; preserve them.";
+}
+
+/** Least number of triangles that the area bound asks for. */
+double LeastNumberOfTriangles(
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons, double maximumArea)
+{
+  double area = DomainArea(domain);
   for (const std::vector<Point2>& polygon : polygons)
   {
     area -= SignedArea(polygon);
@@ -44,93 +50,168 @@ double LeastNumberOfTriangles(const std::vector<std::vector<Point2>>& polygons, 
   return area / maximumArea;
 }
 
-double SmallestAngle(const Point2& a, const Point2& b, const Point2& c)
+/** The smallest angle of all triangles in degrees; each one's is opposite to its shortest edge. */
+double SmallestAngle(const RefinableTriangulation& triangulation)
 {
-  const auto angle = [](const Point2& apex, const Point2& from, const Point2& to)
-  { return std::atan2(Cross(from - apex, to - apex), Dot(from - apex, to - apex)); };
-  const double smallest = std::min({ angle(a, b, c), angle(b, c, a), angle(c, a, b) });
-  return std::max(0.0, smallest) * 180.0 / std::numbers::pi;
+  double least = 0.75; // squared sine of 60 degrees
+  double angle = 60.0;
+  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
+  {
+    const Point2* corner[3];
+    double squared[3];
+    for (int i = 0; i < 3; ++i)
+    {
+      corner[i] = &triangulation.GetPoint(triangle.Vertex[i]);
+      squared[i] = SquaredDistance(triangulation.GetPoint(triangle.Vertex[(i + 1) % 3]),
+        triangulation.GetPoint(triangle.Vertex[(i + 2) % 3]));
+    }
+    const auto apex = static_cast<std::size_t>(std::min_element(squared, squared + 3) - squared);
+    const Point2 from = *corner[(apex + 1) % 3] - *corner[apex];
+    const Point2 to = *corner[(apex + 2) % 3] - *corner[apex];
+    const double cross = std::max(0.0, Cross(from, to)); // below 0 by rounding only
+    const double squaredSine = cross * cross / (squared[(apex + 1) % 3] * squared[(apex + 2) % 3]);
+    if (squaredSine < least)
+    {
+      least = squaredSine;
+      angle = std::atan2(cross, Dot(from, to)) * 180.0 / std::numbers::pi;
+    }
+  }
+  return angle;
 }
 
-/** The polygons as loops of vertices: along the segments, which have the polygon on their right. */
-void CollectPolygons(const RefinableTriangulation& triangulation,
-  const std::vector<std::vector<Point2>>& polygons, DomainMesh& mesh)
+using Loops = std::vector<std::vector<int>>;
+
+/**
+ * The given loops with the vertices that were added, counter-clockwise: polygons, holes, outer
+ * loop. Segments have the domain on their left, so around all but the last they run clockwise.
+ */
+Loops CollectLoops(
+  const RefinableTriangulation& triangulation, const std::vector<const std::vector<Point2>*>& given)
 {
-  std::vector<int> before(mesh.Points.size(), -1);
+  std::vector<int> next(triangulation.GetPoints().size(), -1);
   for (int i = 0; i < triangulation.NumberOfSegments(); ++i)
   {
     const RefinableTriangulation::Triangle& triangle =
       triangulation.GetTriangle(triangulation.GetSegment(i).Triangle);
     const int edge = triangulation.EdgeOfSegment(i);
-    before[triangle.Vertex[(edge + 2) % 3]] = triangle.Vertex[(edge + 1) % 3];
+    next[triangle.Vertex[(edge + 1) % 3]] = triangle.Vertex[(edge + 2) % 3];
   }
+  Loops loops;
   int first = 0;
-  for (const std::vector<Point2>& polygon : polygons)
+  for (const std::vector<Point2>* loop : given)
   {
-    std::vector<int> loop = { first };
-    for (int vertex = before[first]; vertex != first; vertex = before[vertex])
+    std::vector<int> vertices = { first };
+    for (int vertex = next[first]; vertex != first; vertex = next[vertex])
     {
-      loop.push_back(vertex);
+      vertices.push_back(vertex);
     }
-    mesh.Polygons.push_back(std::move(loop));
-    first += static_cast<int>(polygon.size());
+    if (loops.size() + 1 < given.size())
+    {
+      std::reverse(vertices.begin() + 1, vertices.end());
+    }
+    loops.push_back(std::move(vertices));
+    first += static_cast<int>(loop->size());
   }
+  return loops;
+}
+
+bool HasUprightAndLevelEdgesOnly(const std::vector<Point2>& loop)
+{
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point2& next = loop[(i + 1) % loop.size()];
+    if (loop[i].x != next.x && loop[i].y != next.y)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 /**
- * Added vertices are as near to the polygon's edges as doubles can be, but not exactly on them:
- * polygons a few units in the last place thin could cross themselves. Empty if none does.
+ * Added vertices are as near to the given edges as doubles can be, but not exactly on them unless
+ * these are upright or level: loops a few units in the last place thin could cross themselves.
+ * The number of the first that does, or -1.
  */
-std::string FindSpoiltPolygon(
-  const DomainMesh& mesh, const std::vector<std::vector<Point2>>& polygons)
+int FindSpoiltLoop(const std::vector<Point2>& points, const Loops& loops,
+  const std::vector<const std::vector<Point2>*>& given)
 {
   std::vector<Point2> vertices;
-  for (std::size_t i = 0; i < polygons.size(); ++i)
+  for (std::size_t i = 0; i < loops.size(); ++i)
   {
-    const std::vector<int>& loop = mesh.Polygons[i];
-    if (loop.size() == polygons[i].size())
+    if (loops[i].size() == given[i]->size() || HasUprightAndLevelEdgesOnly(*given[i]))
     {
       continue;
     }
     vertices.clear();
-    std::transform(loop.begin(), loop.end(), std::back_inserter(vertices),
-      [&mesh](int vertex) { return mesh.Points[vertex]; });
+    std::transform(loops[i].begin(), loops[i].end(), std::back_inserter(vertices),
+      [&points](int vertex) { return points[vertex]; });
     if (!IsSimple(vertices) || PolygonOrientation(vertices) <= 0)
     {
-      return "Polygon " + std::to_string(i + 1) +
-        " is too thin for its edges to be split in double precision; preserve the polygons.";
+      return static_cast<int>(i);
     }
   }
-  return {};
+  return -1;
+}
+
+void FillElements(const RefinableTriangulation& triangulation, const Loops& loops,
+  std::size_t numberOfPolygons, DomainMesh& mesh)
+{
+  PolygonMesh& elements = mesh.Elements;
+  elements.Points = triangulation.GetPoints();
+  const std::size_t triangles = triangulation.GetTriangles().size();
+  elements.Offsets.reserve(numberOfPolygons + triangles + 1);
+  std::size_t sides = 3 * triangles;
+  for (std::size_t i = 0; i < numberOfPolygons; ++i)
+  {
+    sides += loops[i].size();
+  }
+  elements.Vertices.reserve(sides);
+  for (std::size_t i = 0; i < numberOfPolygons; ++i)
+  {
+    elements.AddElement(loops[i]);
+  }
+  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
+  {
+    elements.AddElement({ triangle.Vertex, 3 });
+  }
+  mesh.AttainedMinimumAngle = SmallestAngle(triangulation);
 }
 
 } // namespace
 
-DomainMesh MeshDomain(
-  const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options)
+DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2>>& polygons,
+  const DomainMeshOptions& options)
 {
   DomainMesh mesh;
-  const double least = LeastNumberOfTriangles(polygons, options.MaximumArea);
+  const double least = LeastNumberOfTriangles(domain, polygons, options.MaximumArea);
+  mesh.MaximumArea = options.MaximumArea;
   if (least > options.MaximumElements)
   {
+    mesh.Status = DomainMeshStatus::TooManyElements;
     mesh.Message = TooManyElements(options, least);
     return mesh;
   }
-  const DomainBoundary boundary = MakeDomainBoundary(UnitSquare, polygons);
-  RefinableTriangulation triangulation = TriangulateDomain(boundary);
+  const DomainBoundary boundary = MakeDomainBoundary(domain, polygons);
+  DomainTriangulation domainTriangulation = TriangulateDomain(boundary);
+  const RefinableTriangulation& triangulation = domainTriangulation.Inside;
 
   RefinementOptions refinement;
   refinement.MinimumAngle = options.MinimumAngle;
   refinement.MaximumArea = options.MaximumArea;
+  refinement.Gradation = options.Gradation;
+  refinement.SizeAtPolygons = options.SizeAtPolygons;
   refinement.MaximumTriangles = options.MaximumElements;
   refinement.Progress = options.Progress;
-  refinement.Preserved.assign(boundary.Segments.size(), options.PreservePolygons);
-  std::fill(refinement.Preserved.end() - UnitSquare.size(), refinement.Preserved.end(), false);
-  switch (RefineTriangulation(triangulation, boundary, refinement))
+  refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
+  std::fill_n(
+    refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
+  switch (RefineTriangulation(domainTriangulation, boundary, refinement))
   {
     case RefinementOutcome::Done:
       break;
     case RefinementOutcome::TooManyTriangles:
+      mesh.Status = DomainMeshStatus::TooManyElements;
       mesh.Message = TooManyElements(options, 0.0);
       return mesh;
     case RefinementOutcome::Stopped:
@@ -138,22 +219,23 @@ DomainMesh MeshDomain(
       return mesh;
   }
 
-  mesh.Points = triangulation.GetPoints();
-  CollectPolygons(triangulation, polygons, mesh);
-  mesh.Message = FindSpoiltPolygon(mesh, polygons);
-  if (!mesh.Message.empty())
+  std::vector<const std::vector<Point2>*> given;
+  for (const std::vector<std::vector<Point2>>* list : { &polygons, &domain.Holes })
   {
+    for (const std::vector<Point2>& loop : *list)
+    {
+      given.push_back(&loop);
+    }
+  }
+  given.push_back(&domain.Outer);
+  const Loops loops = CollectLoops(triangulation, given);
+  const int spoilt = FindSpoiltLoop(triangulation.GetPoints(), loops, given);
+  if (spoilt >= 0)
+  {
+    mesh.Message = TooThin(spoilt, polygons.size());
     return mesh;
   }
-  mesh.AttainedMinimumAngle = 60.0;
-  mesh.Triangles.reserve(triangulation.NumberOfTriangles());
-  for (const RefinableTriangulation::Triangle& triangle : triangulation.GetTriangles())
-  {
-    const int* vertex = triangle.Vertex;
-    mesh.Triangles.push_back({ vertex[0], vertex[1], vertex[2] });
-    mesh.AttainedMinimumAngle = std::min(mesh.AttainedMinimumAngle,
-      SmallestAngle(mesh.Points[vertex[0]], mesh.Points[vertex[1]], mesh.Points[vertex[2]]));
-  }
+  FillElements(triangulation, loops, polygons.size(), mesh);
   mesh.Status = DomainMeshStatus::Done;
   return mesh;
 }

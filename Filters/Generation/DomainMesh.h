@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The mesh of the unit square around polygons, each of which is one element.
+ * The mesh of a domain around polygons, each of which is one element.
  */
 #ifndef pemesh_DomainMesh_h
 #define pemesh_DomainMesh_h
 
-#include "Point2.h"
+#include "Domain.h"
+#include "PolygonMesh.h"
 #include "pemeshFiltersGenerationModule.h" // For export macro
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <string>
@@ -22,7 +22,10 @@ struct DomainMeshOptions
 {
   double MinimumAngle = 20.0;                                   ///< degrees
   double MaximumArea = std::numeric_limits<double>::infinity(); ///< of a triangle
-  bool PreservePolygons = false;
+  double Gradation = 0.0;        ///< growth of edges with the distance from polygons; 0: off
+  double SizeAtPolygons = 0.0;   ///< wanted edge length there; 0: that of the polygon's own edge
+  bool PreservePolygons = false; ///< split none of their edges
+  bool PreserveDomain = false;   ///< nor of the domain's own loops
   int MaximumElements = 20000000;
   std::function<bool(double)> Progress; ///< takes the fraction done; false means stop
 };
@@ -30,32 +33,46 @@ struct DomainMeshOptions
 enum class DomainMeshStatus
 {
   Done,
-  Failed, ///< DomainMesh::Message says why
-  Stopped ///< Progress said so
+  Failed,           ///< DomainMesh::Message says why
+  TooManyElements,  ///< more than MaximumElements: the same
+  TargetNotReached, ///< MeshDomainToCount: the same
+  Stopped           ///< Progress said so
 };
 
 struct DomainMesh
 {
   DomainMeshStatus Status = DomainMeshStatus::Failed;
   std::string Message;
-  std::vector<Point2> Points; ///< vertices of the polygons, corners of the square, added points
   /**
-   * The polygons given, counter-clockwise, each from its first vertex on (its last edges may have
-   * been split, so its own vertices are not always the first ones).
+   * First the polygons given, counter-clockwise, each from its first vertex on (its last edges may
+   * have been split, so its own vertices are not always the first ones), then triangles. Points:
+   * vertices of the polygons, of the domain's holes and outer loop, added points.
    */
-  std::vector<std::vector<int>> Polygons;
-  std::vector<std::array<int, 3>> Triangles; ///< counter-clockwise
-  double AttainedMinimumAngle = 0.0;         ///< degrees, of the triangles
+  PolygonMesh Elements;
+  double AttainedMinimumAngle = 0.0; ///< degrees, of the triangles
+  double MaximumArea = 0.0;          ///< the bound it was made with
 };
 
+/** More elements than this have more sides than an index can count. */
+inline constexpr int MostElements = 700000000;
+
 /**
- * Meshes the unit square around counter-clockwise polygons in which FindLayoutFault finds no
- * fault. Every edge of the mesh has an element on each side or lies on the border of the square;
- * all elements are simple and counter-clockwise, exactly. Throws std::runtime_error if polygons
- * meet after all.
+ * Meshes a domain around counter-clockwise polygons in which FindLayoutFault finds no fault. Every
+ * edge of the mesh has an element on each side or lies on the boundary of the domain; all elements
+ * are simple and counter-clockwise, exactly. Throws std::runtime_error if loops meet after all.
  */
-PEMESHFILTERSGENERATION_EXPORT DomainMesh MeshDomain(
+PEMESHFILTERSGENERATION_EXPORT DomainMesh MeshDomain(const Domain& domain,
   const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options);
+
+/** How near the number of elements must come to a target: relative. */
+inline constexpr double CountTolerance = 0.02;
+
+/**
+ * The same with the maximum area that gives the target number of elements (polygons and triangles,
+ * at least 1) to within CountTolerance; that of the options is not used. See CountSearch.h.
+ */
+PEMESHFILTERSGENERATION_EXPORT DomainMesh MeshDomainToCount(const Domain& domain,
+  const std::vector<std::vector<Point2>>& polygons, const DomainMeshOptions& options, int target);
 
 } // namespace pemesh
 

@@ -45,6 +45,12 @@ using Vertex = RepeatableTriangulation::Vertex_handle;
 
 constexpr int NotInDomain = -1;
 
+/** Between the number of a face outside and what is stored in it. */
+int OutsideCode(int number)
+{
+  return -2 - number;
+}
+
 [[noreturn]] void RefuseMeetingLoops()
 {
   throw std::runtime_error("Two edges of the domain's boundary meet; its loops must be apart.");
@@ -73,16 +79,33 @@ void InsertBoundary(const DomainBoundary& boundary, RepeatableTriangulation& tri
   }
 }
 
-/** Numbers the faces of the domain in the order in which a walk from the outer border meets them.
- */
-std::vector<Face> NumberDomainFaces(RepeatableTriangulation& triangulation)
+/** The face to the left of the last segment, which is one of the outer loop. */
+Face FindFaceInside(const DomainBoundary& boundary, const RepeatableTriangulation& triangulation)
+{
+  const InputSegment& segment = boundary.Segments.back();
+  for (const Face face : triangulation.finite_face_handles())
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      if (face->vertex(triangulation.ccw(edge))->info() == segment.From &&
+        face->vertex(triangulation.cw(edge))->info() == segment.To)
+      {
+        return face;
+      }
+    }
+  }
+  RefuseMeetingLoops();
+}
+
+/** Numbers the faces of the domain in the order in which a walk from the outer loop meets them. */
+std::vector<Face> NumberDomainFaces(
+  const DomainBoundary& boundary, RepeatableTriangulation& triangulation)
 {
   for (const Face face : triangulation.all_face_handles())
   {
     face->info() = NotInDomain;
   }
-  const Face outside = triangulation.infinite_face();
-  std::vector<Face> faces = { outside->neighbor(outside->index(triangulation.infinite_vertex())) };
+  std::vector<Face> faces = { FindFaceInside(boundary, triangulation) };
   faces[0]->info() = 0;
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
@@ -104,10 +127,72 @@ std::vector<Face> NumberDomainFaces(RepeatableTriangulation& triangulation)
   return faces;
 }
 
+/** The other finite faces: number i is stored as OutsideCode(i). */
+std::vector<Face> NumberOutsideFaces(RepeatableTriangulation& triangulation)
+{
+  std::vector<Face> faces;
+  for (const Face face : triangulation.finite_face_handles())
+  {
+    if (face->info() == NotInDomain)
+    {
+      face->info() = OutsideCode(static_cast<int>(faces.size()));
+      faces.push_back(face);
+    }
+  }
+  return faces;
+}
+
+std::vector<RefinableTriangulation::Triangle> ConvertInside(
+  const std::vector<Face>& faces, std::vector<RefinableTriangulation::Segment>& segments)
+{
+  std::vector<RefinableTriangulation::Triangle> triangles(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      triangles[i].Vertex[edge] = faces[i]->vertex(edge)->info();
+      triangles[i].Neighbor[edge] = faces[i]->neighbor(edge)->info();
+      if (faces[i]->is_constrained(edge))
+      {
+        const int from = faces[i]->vertex((edge + 1) % 3)->info();
+        segments[from].Triangle = static_cast<int>(i);
+        triangles[i].Neighbor[edge] = ~from;
+      }
+    }
+  }
+  return triangles;
+}
+
+OutsideTriangles ConvertOutside(const RepeatableTriangulation& triangulation,
+  const std::vector<Face>& faces, std::size_t numberOfSegments)
+{
+  OutsideTriangles outside;
+  outside.Beyond.assign(numberOfSegments, OutsideTriangles::OutsideHull);
+  outside.Triangles.resize(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    RefinableTriangulation::Triangle& triangle = outside.Triangles[i];
+    for (int edge = 0; edge < 3; ++edge)
+    {
+      const Face neighbor = faces[i]->neighbor(edge);
+      triangle.Vertex[edge] = faces[i]->vertex(edge)->info();
+      triangle.Neighbor[edge] = triangulation.is_infinite(neighbor) ? OutsideTriangles::OutsideHull
+                                                                    : OutsideCode(neighbor->info());
+      if (faces[i]->is_constrained(edge)) // a segment runs with the domain on its left
+      {
+        const int from = faces[i]->vertex((edge + 2) % 3)->info();
+        outside.Beyond[from] = static_cast<int>(i);
+        triangle.Neighbor[edge] = ~from;
+      }
+    }
+  }
+  return outside;
+}
+
 } // namespace
 
 DomainBoundary MakeDomainBoundary(
-  const std::vector<Point2>& outer, const std::vector<std::vector<Point2>>& holes)
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons)
 {
   DomainBoundary boundary;
   const auto add = [&boundary](const std::vector<Point2>& loop, bool reversed)
@@ -123,52 +208,39 @@ DomainBoundary MakeDomainBoundary(
       boundary.Before.push_back(reversed ? after : before);
     }
   };
-  for (const std::vector<Point2>& hole : holes)
+  for (const std::vector<Point2>& polygon : polygons)
+  {
+    add(polygon, true);
+  }
+  boundary.NumberOfPolygonSegments = static_cast<int>(boundary.Segments.size());
+  for (const std::vector<Point2>& hole : domain.Holes)
   {
     add(hole, true);
   }
-  add(outer, false);
+  add(domain.Outer, false);
   return boundary;
 }
 
-RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary)
+DomainTriangulation TriangulateDomain(const DomainBoundary& boundary)
 {
   RepeatableTriangulation triangulation;
-  std::vector<Face> faces;
+  std::vector<Face> inside;
   try
   {
     InsertBoundary(boundary, triangulation);
-    faces = NumberDomainFaces(triangulation);
+    inside = NumberDomainFaces(boundary, triangulation);
   }
   catch (const RepeatableTriangulation::Intersection_of_constraints_exception&)
   {
     RefuseMeetingLoops();
   }
 
-  std::vector<RefinableTriangulation::Triangle> triangles(faces.size());
   std::vector<RefinableTriangulation::Segment> segments(boundary.Segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     segments[i] = { -1, static_cast<int>(i) };
   }
-  for (std::size_t i = 0; i < faces.size(); ++i)
-  {
-    const Face face = faces[i];
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      triangles[i].Vertex[edge] = face->vertex(edge)->info();
-    }
-    for (int edge = 0; edge < 3; ++edge)
-    {
-      triangles[i].Neighbor[edge] = face->neighbor(edge)->info();
-      if (face->is_constrained(edge))
-      {
-        const int from = triangles[i].Vertex[(edge + 1) % 3];
-        segments[from].Triangle = static_cast<int>(i);
-        triangles[i].Neighbor[edge] = ~from;
-      }
-    }
-  }
+  std::vector<RefinableTriangulation::Triangle> triangles = ConvertInside(inside, segments);
   for (const RefinableTriangulation::Segment& segment : segments)
   {
     if (segment.Triangle < 0)
@@ -176,8 +248,10 @@ RefinableTriangulation TriangulateDomain(const DomainBoundary& boundary)
       RefuseMeetingLoops();
     }
   }
-  RefinableTriangulation result(boundary.Points, std::move(triangles), std::move(segments));
-  result.MakeDelaunay();
+  DomainTriangulation result = { RefinableTriangulation(
+                                   boundary.Points, std::move(triangles), std::move(segments)),
+    ConvertOutside(triangulation, NumberOutsideFaces(triangulation), boundary.Segments.size()) };
+  result.Inside.MakeDelaunay();
   return result;
 }
 

@@ -79,6 +79,16 @@ RefinableTriangulation::RefinableTriangulation(
 {
 }
 
+void RefinableTriangulation::Reserve(std::size_t points)
+{
+  this->Points.reserve(this->Points.size() + points);
+  this->StartingAt.reserve(this->Points.size() + points);
+  const std::size_t triangles = this->Triangles.size() + 2 * points; // by Euler's formula
+  this->Triangles.reserve(triangles);
+  this->Stamps.reserve(triangles);
+  this->Marks.reserve(triangles);
+}
+
 int RefinableTriangulation::EdgeOfSegment(int segment) const
 {
   const Triangle& triangle = this->Triangles[this->Segments[segment].Triangle];

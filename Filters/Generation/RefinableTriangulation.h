@@ -19,6 +19,7 @@
 
 #include "Point2.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -66,6 +67,9 @@ public:
   int NumberOfTriangles() const { return static_cast<int>(this->Triangles.size()); }
   int NumberOfSegments() const { return static_cast<int>(this->Segments.size()); }
   ///@}
+
+  /** Makes room for that many more points in the interior, and their triangles. */
+  void Reserve(std::size_t points);
 
   /** The edge of a segment in its triangle: 0, 1 or 2. */
   int EdgeOfSegment(int segment) const;

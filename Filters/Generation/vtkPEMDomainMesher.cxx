@@ -4,6 +4,7 @@
 
 #include "AreaRules.h"
 #include "CaseStatus.h"
+#include "Domain.h"
 #include "DomainMesh.h"
 #include "ElementAccess.h"
 #include "LayoutValidity.h"
@@ -12,22 +13,21 @@
 #include "PolygonMeasures.h"
 #include "Progress.h"
 
-#include <vtkCellArray.h>
 #include <vtkCellData.h>
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkIntArray.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 vtkStandardNewMacro(vtkPEMDomainMesher);
@@ -54,7 +54,7 @@ int CellNumber(vtkPolyData* input, const char* name, vtkIdType cell, int otherwi
 }
 
 /** Empty if all is well, else one sentence on what cannot be meshed. */
-std::string ReadLayout(vtkPolyData* input, Layout& layout)
+std::string ReadLayout(vtkPolyData* input, const pemesh::Domain& domain, Layout& layout)
 {
   if (input->GetNumberOfCells() == 0)
   {
@@ -78,7 +78,7 @@ std::string ReadLayout(vtkPolyData* input, Layout& layout)
     layout.Ids.push_back(CellNumber(input, pemesh::PolygonIdArray, cell, static_cast<int>(cell)));
     layout.Families.push_back(CellNumber(input, pemesh::ElementFamilyArray, cell, Filler));
   }
-  return pemesh::FindLayoutFault(layout.Polygons, pemesh::GetFieldNumber(input, "t"));
+  return pemesh::FindLayoutFault(layout.Polygons, domain, pemesh::GetFieldNumber(input, "t"));
 }
 
 /** The polygons, turned round where they are clockwise (their first vertex stays the first). */
@@ -96,58 +96,66 @@ std::vector<std::vector<pemesh::Point2>> CounterClockwisePolygons(const Layout& 
   return polygons;
 }
 
-pemesh::DomainMesh MeshOrExplain(const std::vector<std::vector<pemesh::Point2>>& polygons,
-  const pemesh::DomainMeshOptions& options)
+/** The word of the status for what became of a mesh. */
+const char* StatusWord(pemesh::DomainMeshStatus status)
+{
+  return status == pemesh::DomainMeshStatus::TargetNotReached ? "target-not-reached"
+                                                              : "meshing-failed";
+}
+
+pemesh::DomainMesh MeshOrExplain(const pemesh::Domain& domain,
+  const std::vector<std::vector<pemesh::Point2>>& polygons,
+  const pemesh::DomainMeshOptions& options, int target)
 {
   try
   {
-    return pemesh::MeshDomain(polygons, options);
+    return target > 0 ? pemesh::MeshDomainToCount(domain, polygons, options, target)
+                      : pemesh::MeshDomain(domain, polygons, options);
   }
   catch (const std::exception& error) // also of CGAL, and of memory that is not there
   {
     pemesh::DomainMesh mesh;
+    mesh.MaximumArea = options.MaximumArea;
     mesh.Message = std::string("The domain could not be meshed: ") + error.what();
     return mesh;
   }
 }
 
-void WriteMesh(const pemesh::DomainMesh& mesh, const Layout& layout, vtkPolyData* output)
+vtkSmartPointer<vtkIntArray> ElementNumbers(
+  const char* name, const std::vector<int>& ofPolygons, vtkIdType numberOfElements)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(static_cast<vtkIdType>(mesh.Points.size()));
-  for (std::size_t i = 0; i < mesh.Points.size(); ++i)
-  {
-    points->SetPoint(static_cast<vtkIdType>(i), mesh.Points[i].x, mesh.Points[i].y, 0.0);
-  }
-  vtkNew<vtkCellArray> cells;
-  vtkNew<vtkIntArray> ids;
-  ids->SetName(pemesh::PolygonIdArray);
-  vtkNew<vtkIntArray> families;
-  families->SetName(pemesh::ElementFamilyArray);
-  for (std::size_t i = 0; i < mesh.Polygons.size(); ++i)
-  {
-    cells->InsertNextCell(static_cast<int>(mesh.Polygons[i].size()));
-    for (const int vertex : mesh.Polygons[i])
-    {
-      cells->InsertCellPoint(vertex);
-    }
-    ids->InsertNextValue(layout.Ids[i]);
-    families->InsertNextValue(layout.Families[i]);
-  }
-  for (const auto& triangle : mesh.Triangles)
-  {
-    cells->InsertNextCell({ triangle[0], triangle[1], triangle[2] });
-    ids->InsertNextValue(Filler);
-    families->InsertNextValue(Filler);
-  }
-  output->SetPoints(points);
-  output->SetPolys(cells);
-  output->GetCellData()->AddArray(families);
-  output->GetCellData()->AddArray(ids);
+  auto numbers = vtkSmartPointer<vtkIntArray>::New();
+  numbers->SetName(name);
+  numbers->SetNumberOfValues(numberOfElements);
+  numbers->FillValue(Filler);
+  std::copy(ofPolygons.begin(), ofPolygons.end(), numbers->GetPointer(0));
+  return numbers;
+}
+
+void WriteMesh(const pemesh::PolygonMesh& mesh, const Layout& layout, vtkPolyData* output)
+{
+  pemesh::SetPolygonMesh(output, mesh);
+  const vtkIdType count = mesh.NumberOfElements();
+  output->GetCellData()->AddArray(
+    ElementNumbers(pemesh::ElementFamilyArray, layout.Families, count));
+  output->GetCellData()->AddArray(ElementNumbers(pemesh::PolygonIdArray, layout.Ids, count));
 }
 
 } // namespace
+
+vtkPEMDomainMesher::vtkPEMDomainMesher()
+{
+  this->SetNumberOfInputPorts(2);
+}
+
+int vtkPEMDomainMesher::FillInputPortInformation(int port, vtkInformation* information)
+{
+  if (port == 1)
+  {
+    information->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return this->Superclass::FillInputPortInformation(port, information);
+}
 
 void vtkPEMDomainMesher::SetAreaRuleByName(const std::string& name)
 {
@@ -177,11 +185,35 @@ std::string vtkPEMDomainMesher::WhyMisconfigured() const
   {
     return "MinimumAngle is not a number, expected 0 to 33 degrees.";
   }
+  for (const auto& [name, value] :
+    { std::pair("Gradation", this->Gradation), { "SizeAtPolygons", this->SizeAtPolygons } })
+  {
+    if (!(value >= 0.0 && std::isfinite(value)))
+    {
+      return std::string(name) + " is " + pemesh::FormatNumber(value) + ", expected 0 or more.";
+    }
+  }
   if (this->AreaRule == AREA_CONSTANT && !(this->MaximumArea > 0.0))
   {
     return "MaximumArea is " + pemesh::FormatNumber(this->MaximumArea) + ", expected more than 0.";
   }
   return {};
+}
+
+pemesh::DomainMeshOptions vtkPEMDomainMesher::MakeOptions(
+  const std::vector<std::vector<pemesh::Point2>>& polygons)
+{
+  pemesh::DomainMeshOptions options;
+  options.MinimumAngle = this->MinimumAngle;
+  options.MaximumArea = pemesh::AreaRules()[this->AreaRule].MaximumArea(
+    { polygons, this->MinimumAngle, this->MaximumArea });
+  options.Gradation = this->Gradation;
+  options.SizeAtPolygons = this->SizeAtPolygons;
+  options.PreservePolygons = this->PreservePolygons;
+  options.PreserveDomain = this->PreserveDomain;
+  options.MaximumElements = static_cast<int>(this->MaximumNumberOfElements);
+  options.Progress = [this](double fraction) { return pemesh::ReportProgress(this, fraction); };
+  return options;
 }
 
 int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
@@ -201,37 +233,48 @@ int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   output->GetFieldData()->PassData(input->GetFieldData());
+  vtkPolyData* domainInput = vtkPolyData::GetData(inputVector[1]);
+  if (domainInput && pemesh::IsCaseFailed(domainInput))
+  {
+    pemesh::SetCaseFailed(
+      output, pemesh::GetCaseStatus(domainInput), pemesh::GetCaseStatusMessage(domainInput));
+    return 1;
+  }
+  pemesh::Domain domain;
+  const std::string noDomain = pemesh::ToDomain(domainInput, domain);
+  if (!noDomain.empty())
+  {
+    pemesh::SetCaseFailed(output, "invalid-domain", noDomain);
+    return 1;
+  }
   Layout layout;
-  const std::string fault = ReadLayout(input, layout);
+  const std::string fault = ReadLayout(input, domain, layout);
   if (!fault.empty())
   {
     pemesh::SetCaseFailed(output, "invalid-layout", fault);
     return 1;
   }
   const std::vector<std::vector<pemesh::Point2>> polygons = CounterClockwisePolygons(layout);
-  pemesh::DomainMeshOptions options;
-  options.MinimumAngle = this->MinimumAngle;
-  options.MaximumArea = pemesh::AreaRules()[this->AreaRule].MaximumArea(
-    { polygons, this->MinimumAngle, this->MaximumArea });
-  options.PreservePolygons = this->PreservePolygons;
-  options.MaximumElements = static_cast<int>(this->MaximumNumberOfElements);
-  options.Progress = [this](double fraction) { return pemesh::ReportProgress(this, fraction); };
+  const pemesh::DomainMeshOptions options = this->MakeOptions(polygons);
+  const pemesh::DomainMesh mesh =
+    MeshOrExplain(domain, polygons, options, static_cast<int>(this->TargetNumberOfElements));
+  if (mesh.Status == pemesh::DomainMeshStatus::Stopped)
+  {
+    output->Initialize(); // the caller does not want it
+    return 1;
+  }
+  const bool isDone = mesh.Status == pemesh::DomainMeshStatus::Done;
   pemesh::SetFieldNumber(
-    output, "MaximumArea", std::isfinite(options.MaximumArea) ? options.MaximumArea : Undefined);
-  const pemesh::DomainMesh mesh = MeshOrExplain(polygons, options);
-  pemesh::SetFieldNumber(output, "AttainedMinimumAngle",
-    mesh.Status == pemesh::DomainMeshStatus::Done ? mesh.AttainedMinimumAngle : Undefined);
-  if (mesh.Status == pemesh::DomainMeshStatus::Done)
+    output, "MaximumArea", std::isfinite(mesh.MaximumArea) ? mesh.MaximumArea : Undefined);
+  pemesh::SetFieldNumber(
+    output, "AttainedMinimumAngle", isDone ? mesh.AttainedMinimumAngle : Undefined);
+  if (isDone)
   {
-    WriteMesh(mesh, layout, output);
+    WriteMesh(mesh.Elements, layout, output);
   }
-  else if (mesh.Status == pemesh::DomainMeshStatus::Failed)
+  else
   {
-    pemesh::SetCaseFailed(output, "meshing-failed", mesh.Message);
-  }
-  else // stopped by the caller, who does not want the output
-  {
-    output->Initialize();
+    pemesh::SetCaseFailed(output, StatusWord(mesh.Status), mesh.Message);
   }
   return 1;
 }
@@ -242,6 +285,10 @@ void vtkPEMDomainMesher::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "AreaRule: " << this->GetAreaRuleName() << "\n";
   os << indent << "MaximumArea: " << this->MaximumArea << "\n";
   os << indent << "MinimumAngle: " << this->MinimumAngle << "\n";
+  os << indent << "TargetNumberOfElements: " << this->TargetNumberOfElements << "\n";
+  os << indent << "Gradation: " << this->Gradation << "\n";
+  os << indent << "SizeAtPolygons: " << this->SizeAtPolygons << "\n";
   os << indent << "PreservePolygons: " << this->PreservePolygons << "\n";
+  os << indent << "PreserveDomain: " << this->PreserveDomain << "\n";
   os << indent << "MaximumNumberOfElements: " << this->MaximumNumberOfElements << "\n";
 }

@@ -289,7 +289,7 @@ std::string vtkPEMPolygonLayout::FindFault(double time) const
   {
     polygons.push_back({ placement.Name, placement.VerticesAt(time) });
   }
-  return pemesh::FindLayoutFault(polygons, time);
+  return pemesh::FindLayoutFault(polygons, pemesh::UnitSquare(), time);
 }
 
 std::vector<std::string> vtkPEMPolygonLayout::FindFaults() const

@@ -58,11 +58,6 @@ Point2 PointOf(vtkPolyData* mesh, vtkIdType id)
   return { point[0], point[1] };
 }
 
-bool IsOnBorder(const Point2& a, const Point2& b)
-{
-  return (a.x == b.x && (a.x == 0.0 || a.x == 1.0)) || (a.y == b.y && (a.y == 0.0 || a.y == 1.0));
-}
-
 /** Each directed edge, with the cell on its left and the vertex after it in that cell. */
 struct EdgeUse
 {
@@ -87,6 +82,97 @@ std::string CollectEdges(vtkPolyData* mesh, EdgeMap& edges)
     }
   }
   return {};
+}
+
+/** Whether the point is on the edge: exactly if it is upright or level, else as near as doubles. */
+bool IsOnEdge(const Point2& point, const Point2& from, const Point2& to)
+{
+  if (from.x == to.x || from.y == to.y)
+  {
+    return from.x == to.x ? point.x == from.x : point.y == from.y;
+  }
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const double cross = (to.x - from.x) * (point.y - from.y) - (to.y - from.y) * (point.x - from.x);
+  const double size =
+    std::max({ std::abs(from.x), std::abs(from.y), std::abs(to.x), std::abs(to.y) });
+  return std::abs(cross) / length <= 1e-15 * size;
+}
+
+/** Follows the border of the mesh along a loop of the domain, in that direction. */
+std::string WhyNotAlong(vtkPolyData* mesh, const PolygonVertices& loop,
+  std::map<vtkIdType, vtkIdType>& border, PolygonVertices& found)
+{
+  vtkIdType vertex = -1;
+  for (const auto& [from, to] : border)
+  {
+    const Point2 point = PointOf(mesh, from);
+    vertex = point == loop[0] ? from : vertex;
+  }
+  for (std::size_t i = 0; i < loop.size(); ++i)
+  {
+    const Point2& from = loop[i];
+    const Point2& to = loop[(i + 1) % loop.size()];
+    double place = 0.0;
+    do
+    {
+      const auto step = border.find(vertex);
+      if (step == border.end())
+      {
+        return "the border of the mesh leaves a loop of the domain after its vertex " +
+          std::to_string(i);
+      }
+      found.push_back(PointOf(mesh, vertex));
+      vertex = step->second;
+      border.erase(step);
+      const Point2 next = PointOf(mesh, vertex);
+      const double along =
+        (next.x - from.x) * (to.x - from.x) + (next.y - from.y) * (to.y - from.y);
+      if (!IsOnEdge(next, from, to) || along <= place)
+      {
+        return "point " + std::to_string(vertex) + " on the border is not on the domain's edge";
+      }
+      place = along;
+    } while (!(PointOf(mesh, vertex) == to));
+  }
+  return {};
+}
+
+/** The border must be the loops of the domain, and the elements must fill it exactly. */
+std::string WhyNotTheDomain(vtkPolyData* mesh, const EdgeMap& edges, const pemesh::Domain& domain,
+  const Rational& areaOfElements)
+{
+  std::map<vtkIdType, vtkIdType> border;
+  for (const auto& [edge, use] : edges)
+  {
+    if (!edges.count({ edge.second, edge.first }) &&
+      !border.insert({ edge.first, edge.second }).second)
+    {
+      return "the border passes point " + std::to_string(edge.first) + " twice";
+    }
+  }
+  std::vector<PolygonVertices> loops = domain.Holes;
+  for (PolygonVertices& hole : loops)
+  {
+    std::reverse(hole.begin(), hole.end());
+  }
+  loops.push_back(domain.Outer);
+  Rational area = 0;
+  for (const PolygonVertices& loop : loops)
+  {
+    PolygonVertices found;
+    const std::string why = WhyNotAlong(mesh, loop, border, found);
+    if (!why.empty())
+    {
+      return why;
+    }
+    area += Exact(found).area();
+  }
+  if (!border.empty())
+  {
+    return "edge " + std::to_string(border.begin()->first) + "-" +
+      std::to_string(border.begin()->second) + " has an element on one side only";
+  }
+  return area == areaOfElements ? "" : "the areas do not add up to exactly that of the border";
 }
 
 int PolygonIdOf(vtkPolyData* mesh, int cell)
@@ -153,7 +239,7 @@ PolygonVertices VerticesOf(vtkPolyData* mesh, int cell)
   return vertices;
 }
 
-std::string WhyNotAMesh(vtkPolyData* mesh)
+std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain)
 {
   if (mesh->GetNumberOfCells() == 0 || mesh->GetPoints()->GetDataType() != VTK_DOUBLE)
   {
@@ -183,10 +269,6 @@ std::string WhyNotAMesh(vtkPolyData* mesh)
       used[id] = true;
     }
   }
-  if (sum != 1)
-  {
-    return "the areas do not add up to exactly 1";
-  }
   std::set<std::pair<double, double>> places;
   for (vtkIdType id = 0; id < mesh->GetNumberOfPoints(); ++id)
   {
@@ -198,16 +280,7 @@ std::string WhyNotAMesh(vtkPolyData* mesh)
   }
   EdgeMap edges;
   const std::string twice = CollectEdges(mesh, edges);
-  for (const auto& [edge, use] : edges)
-  {
-    const bool border = IsOnBorder(PointOf(mesh, edge.first), PointOf(mesh, edge.second));
-    if (border == (edges.count({ edge.second, edge.first }) > 0))
-    {
-      return "edge " + std::to_string(edge.first) + "-" + std::to_string(edge.second) +
-        " has a wrong number of elements";
-    }
-  }
-  return twice;
+  return twice.empty() ? WhyNotTheDomain(mesh, edges, domain, sum) : twice;
 }
 
 std::string WhyNotConstrainedDelaunay(vtkPolyData* mesh)

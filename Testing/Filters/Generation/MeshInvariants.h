@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * What must hold of every mesh of the unit square, checked in rational arithmetic: an independent
+ * What must hold of every mesh of a domain, checked in rational arithmetic: an independent
  * judge of the mesher, which never shares code with it.
  */
 #ifndef pemesh_MeshInvariants_h
 #define pemesh_MeshInvariants_h
 
+#include "Domain.h"
 #include "Point2.h"
 
 #include <string>
@@ -26,17 +27,19 @@ bool IsSimpleAndCounterClockwise(const PolygonVertices& polygon);
 PolygonVertices VerticesOf(vtkPolyData* mesh, int cell);
 
 /**
- * Empty if the mesh is one of the unit square: double points, none unused and none twice; all cells
- * polygons, simple and counter-clockwise; their areas add up to exactly 1; every edge is used once
- * in one direction and once in the other, or lies on the border of the square; `PolygonId` and
- * `ElementFamily` are there and placed polygons come first. Else a sentence.
+ * Empty if the mesh is one of the domain: double points, none unused and none twice; all cells
+ * polygons, simple and counter-clockwise; every edge is used once in one direction and once in the
+ * other, or lies on the border; the border is made of the loops of the domain, with all their
+ * vertices (others lie on their edges as nearly as doubles can, exactly on upright and level ones);
+ * the areas add up to exactly what the border encloses; `PolygonId` and `ElementFamily` are there
+ * and placed polygons come first. Else a sentence.
  */
-std::string WhyNotAMesh(vtkPolyData* mesh);
+std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain = pemesh::UnitSquare());
 
 /** Empty if no edge between two fillers could be flipped to make both more nearly Delaunay. */
 std::string WhyNotConstrainedDelaunay(vtkPolyData* mesh);
 
-/** Empty if no filler sees the edge of a placed polygon or of the square under an obtuse angle. */
+/** Empty if no filler sees the edge of a placed polygon or of the domain under an obtuse angle. */
 std::string WhyNotConforming(vtkPolyData* mesh);
 
 /** The angles of the triangle in degrees, smallest first, by the law of cosines. */

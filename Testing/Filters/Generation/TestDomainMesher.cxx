@@ -2,29 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMDomainMesher.h"
 
-#include "AreaRules.h"
 #include "CaseStatus.h"
 #include "ErrorLog.h"
+#include "GenerationSupport.h"
 #include "MeshInvariants.h"
 #include "PolygonFamilies.h"
 #include "vtkPEMPolygonLayout.h"
-
-#include <vtkCallbackCommand.h>
-#include <vtkCellArray.h>
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
-#include <vtkTrivialProducer.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <tuple>
 
@@ -33,54 +22,6 @@ namespace
 
 using pemesh::Point2;
 using testing::HasSubstr;
-
-/** A layout and a mesher behind it. */
-struct Generation
-{
-  vtkNew<vtkPEMPolygonLayout> Layout;
-  vtkNew<vtkPEMDomainMesher> Mesher;
-
-  Generation() { this->Mesher->SetInputConnection(this->Layout->GetOutputPort()); }
-
-  vtkPolyData* MeshAt(double t)
-  {
-    this->Mesher->UpdateTimeStep(t);
-    return this->Mesher->GetOutput();
-  }
-};
-
-/** A mesher of plain polygons. */
-vtkSmartPointer<vtkPolyData> MakeLayout(const std::vector<PolygonVertices>& polygons)
-{
-  auto layout = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> cells;
-  for (const PolygonVertices& polygon : polygons)
-  {
-    cells->InsertNextCell(static_cast<int>(polygon.size()));
-    for (const Point2& point : polygon)
-    {
-      cells->InsertCellPoint(points->InsertNextPoint(point.x, point.y, 0.0));
-    }
-  }
-  layout->SetPoints(points);
-  layout->SetPolys(cells);
-  return layout;
-}
-
-double LargestFiller(vtkPolyData* mesh)
-{
-  double largest = 0.0;
-  for (int cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
-  {
-    if (mesh->GetCellData()->GetArray("PolygonId")->GetTuple1(cell) < 0)
-    {
-      largest = std::max(largest, SignedArea(VerticesOf(mesh, cell)));
-    }
-  }
-  return largest;
-}
 
 /** How far a point is from the edge between two others. */
 double DistanceToEdge(const Point2& point, const Point2& from, const Point2& to)
@@ -184,39 +125,6 @@ TEST_P(DomainMesherFamilies, IsAMeshWithTheAnglesAndAreasAskedFor)
 INSTANTIATE_TEST_SUITE_P(Everything, DomainMesherFamilies,
   testing::Combine(
     testing::Range(0, 8), testing::Values(0.0, 0.35, 0.5, 0.9, 0.95, 0.999, 1.0), testing::Bool()));
-
-// --- Area rules
-// --------------------------------------------------------------------------------------
-
-TEST(AreaRules, FormulasByHand)
-{
-  // A rectangle 0.2 x 0.1 and a right triangle with legs 0.3 and 0.4.
-  const std::vector<PolygonVertices> polygons = { { { 0.1, 0.1 }, { 0.3, 0.1 }, { 0.3, 0.2 },
-                                                    { 0.1, 0.2 } },
-    { { 0.5, 0.5 }, { 0.8, 0.5 }, { 0.5, 0.9 } } };
-  const auto bound = [&](const char* rule, double angle) {
-    return pemesh::AreaRules()[pemesh::FindAreaRule(rule)].MaximumArea({ polygons, angle, 0.007 });
-  };
-  EXPECT_EQ(bound("none", 20.0), std::numeric_limits<double>::infinity());
-  EXPECT_EQ(bound("constant", 20.0), 0.007);
-  const double diagonal = 0.5 * (std::hypot(0.2, 0.1) + 0.5);
-  EXPECT_NEAR(bound("diagonal", 20.0), diagonal * diagonal / 4.0, 1e-16);
-  // Shortest edge 0.1: the sine term is the least up to 25.66 degrees, then sqrt(3)/4.
-  EXPECT_NEAR(bound("shortest-edge", 20.0), 0.01 * std::sin(std::acos(-1.0) / 9.0), 1e-16);
-  EXPECT_NEAR(bound("shortest-edge", 30.0), 0.01 * std::sqrt(3.0) / 4.0, 1e-16);
-  EXPECT_NEAR(bound("shortest-edge", 0.0), 0.01 * std::sqrt(3.0) / 4.0, 1e-16)
-    << "no angle asked for: its term is left out";
-  EXPECT_EQ(pemesh::FindAreaRule("diagonals"), -1);
-}
-
-TEST(AreaRules, SmallestAreaCounts)
-{
-  const std::vector<PolygonVertices> flat = { { { 0.1, 0.1 }, { 0.5, 0.1 }, { 0.9, 0.1001 },
-    { 0.5, 0.101 } } };
-  const double area = SignedArea(flat[0]);
-  const auto* rule = &pemesh::AreaRules()[pemesh::FindAreaRule("shortest-edge")];
-  EXPECT_NEAR(rule->MaximumArea({ flat, 20.0, 0.0 }), area, 1e-15);
-}
 
 TEST(DomainMesher, ShortestEdgeRuleHolds)
 {
@@ -338,190 +246,6 @@ TEST(DomainMesher, SmallTrianglesAroundLongPreservedEdgesAreNotFlat)
     // Far from all polygons the bound holds as it is: there is at least the area over the bound.
     EXPECT_GT(generation.Mesher->GetOutput()->GetNumberOfCells(), 1000);
   }
-}
-
-// --- Refusals
-// ----------------------------------------------------------------------------------------
-
-std::string Refusal(const std::vector<PolygonVertices>& polygons)
-{
-  vtkNew<vtkPEMDomainMesher> mesher;
-  vtkSmartPointer<vtkPolyData> layout = MakeLayout(polygons);
-  pemesh::SetFieldNumber(layout, "t", 0.25);
-  mesher->SetInputData(layout);
-  EXPECT_EQ(mesher->GetExecutive()->Update(), 1) << "the failure of a case is not an error";
-  EXPECT_EQ(pemesh::GetCaseStatus(mesher->GetOutput()), "invalid-layout");
-  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 0) << "nothing is meshed";
-  EXPECT_EQ(pemesh::GetFieldNumber(mesher->GetOutput(), "t"), 0.25) << "field data is passed on";
-  return pemesh::GetCaseStatusMessage(mesher->GetOutput());
-}
-
-TEST(DomainMesher, RefusesBadLayoutsByNameAndTime)
-{
-  const PolygonVertices square = { { 0.25, 0.25 }, { 0.5, 0.25 }, { 0.5, 0.5 }, { 0.25, 0.5 } };
-  const PolygonVertices beside = { { 0.5, 0.3 }, { 0.75, 0.3 }, { 0.75, 0.4 }, { 0.5, 0.4 } };
-  const PolygonVertices over = { { 0.45, 0.3 }, { 0.75, 0.3 }, { 0.75, 0.4 }, { 0.45, 0.4 } };
-  const PolygonVertices within = { { 0.3, 0.3 }, { 0.4, 0.3 }, { 0.4, 0.4 } };
-  const PolygonVertices bowTie = { { 0.6, 0.6 }, { 0.9, 0.9 }, { 0.9, 0.6 }, { 0.6, 0.9 } };
-  const PolygonVertices outside = { { 0.6, 0.6 }, { 1.5, 0.6 }, { 0.6, 0.9 } };
-  const PolygonVertices onBorder = { { 0.6, 0.6 }, { 1.0, 0.7 }, { 0.6, 0.9 } };
-  const PolygonVertices broken = { { 0.6, 0.6 }, { 0.7, NAN }, { 0.6, 0.9 } };
-  EXPECT_EQ(Refusal({ square, beside }),
-    "polygon 1 and polygon 2 touch at t = 0.25; move them apart or make them smaller.");
-  EXPECT_EQ(Refusal({ square, over }),
-    "polygon 1 and polygon 2 overlap at t = 0.25; move them apart or make them smaller.");
-  EXPECT_EQ(Refusal({ square, within }),
-    "polygon 2 lies in polygon 1 at t = 0.25; move them apart or make them smaller.");
-  EXPECT_EQ(Refusal({ square, bowTie }),
-    "polygon 2 crosses or touches itself: edges 0 and 2 meet at t = 0.25; use a simple polygon.");
-  EXPECT_EQ(Refusal({ outside }),
-    "polygon 1 leaves the unit square at t = 0.25; move it inwards or make it smaller.");
-  EXPECT_EQ(Refusal({ onBorder }),
-    "polygon 1 touches the border of the unit square at t = 0.25; move it inwards or make it "
-    "smaller.");
-  EXPECT_THAT(Refusal({ broken }), HasSubstr("polygon 1 has a coordinate that is not a finite"));
-}
-
-TEST(DomainMesher, NamesPolygonsOfTheLayout)
-{
-  Generation generation;
-  generation.Layout->AddPolygon("comb", 0.3, 0.3);
-  generation.Layout->AddPolygon("star", 0.35, 0.35);
-  EXPECT_EQ(pemesh::GetCaseStatusMessage(generation.MeshAt(0.45)),
-    "polygon 1 (comb) and polygon 2 (star) overlap at t = 0.45; move them apart or make them "
-    "smaller.");
-  generation.Layout->RemoveAllPolygons();
-  generation.Layout->AddPolygon("comb", 0.05, 0.5);
-  EXPECT_THAT(pemesh::GetCaseStatusMessage(generation.MeshAt(0.9)),
-    HasSubstr("polygon 1 (comb) leaves the unit square at t = 0.9"));
-}
-
-TEST(DomainMesher, FailedInputIsPassedOnUntouched)
-{
-  vtkSmartPointer<vtkPolyData> layout =
-    MakeLayout({ { { 0.3, 0.3 }, { 0.6, 0.3 }, { 0.6, 0.6 } } });
-  pemesh::SetCaseFailed(layout, "unreadable-mesh", "No such file.");
-  vtkNew<vtkPEMDomainMesher> mesher;
-  mesher->SetInputData(layout);
-  mesher->Update();
-  EXPECT_EQ(mesher->GetOutput()->GetNumberOfCells(), 1);
-  EXPECT_EQ(pemesh::GetCaseStatusMessage(mesher->GetOutput()), "No such file.");
-}
-
-// --- Limits
-// ------------------------------------------------------------------------------------------
-
-TEST(DomainMesher, TooManyElementsIsAFailureOfTheCase)
-{
-  Generation generation;
-  generation.Layout->AddPolygon("isotropy", 0.5, 0.5);
-  generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_SHORTEST_EDGE);
-  vtkPolyData* mesh = generation.MeshAt(1.0); // asks for 1e11 triangles: told without trying
-  EXPECT_EQ(pemesh::GetCaseStatus(mesh), "meshing-failed");
-  EXPECT_THAT(pemesh::GetCaseStatusMessage(mesh), HasSubstr("more than 20000000 elements"));
-  EXPECT_EQ(mesh->GetNumberOfCells(), 0);
-
-  generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
-  generation.Mesher->SetMaximumArea(0.002);
-  generation.Mesher->SetMaximumNumberOfElements(600); // more than 1 / 0.002, less than it takes
-  mesh = generation.MeshAt(0.5);
-  EXPECT_EQ(pemesh::GetCaseStatus(mesh), "meshing-failed");
-  generation.Mesher->SetMaximumNumberOfElements(2000);
-  EXPECT_EQ(pemesh::GetCaseStatus(generation.MeshAt(0.5)), "ok") << "a later case is not affected";
-}
-
-TEST(DomainMesher, EndsForEveryAngle)
-{
-  for (const bool preserve : { false, true })
-  {
-    Generation generation;
-    generation.Layout->AddPolygon("star", 0.3, 0.3);
-    generation.Layout->AddPolygon("zeta", 0.7, 0.7);
-    generation.Layout->SetPolygonRotation(1, 45.0);
-    generation.Mesher->SetPreservePolygons(preserve);
-    for (const double angle : { 0.0, 10.0, 25.0, 30.0, 33.0 })
-    {
-      generation.Mesher->SetMinimumAngle(angle);
-      vtkPolyData* mesh = generation.MeshAt(0.9);
-      ASSERT_EQ(pemesh::GetCaseStatusMessage(mesh), "") << angle;
-      EXPECT_EQ(WhyNotAMesh(mesh), "") << angle;
-      EXPECT_LT(mesh->GetNumberOfCells(), 20000) << angle;
-      if (!preserve)
-      {
-        const double own =
-          std::min(SmallestOuterAngle(VerticesOf(generation.Layout->GetOutput(), 0)),
-            SmallestOuterAngle(VerticesOf(generation.Layout->GetOutput(), 1)));
-        EXPECT_GE(
-          pemesh::GetFieldNumber(mesh, "AttainedMinimumAngle"), std::min(angle, own) - 1e-9);
-      }
-    }
-  }
-}
-
-TEST(DomainMesher, WrongConfigurationIsAnError)
-{
-  Generation generation;
-  pemesh::ErrorLog log(generation.Mesher);
-  generation.Mesher->SetMinimumAngle(NAN);
-  EXPECT_EQ(generation.Mesher->GetExecutive()->Update(), 0);
-  EXPECT_THAT(log.GetText(), HasSubstr("MinimumAngle is not a number"));
-  log.Clear();
-  generation.Mesher->SetMinimumAngle(50.0);
-  EXPECT_EQ(generation.Mesher->GetMinimumAngle(), 33.0);
-  generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
-  for (const double area : { 0.0, -1.0, std::nan("") })
-  {
-    generation.Mesher->SetMaximumArea(area);
-    EXPECT_EQ(generation.Mesher->GetExecutive()->Update(), 0);
-    EXPECT_THAT(log.GetText(), HasSubstr("MaximumArea is"));
-    log.Clear();
-  }
-  std::ostringstream text;
-  generation.Mesher->Print(text);
-  EXPECT_THAT(text.str(), HasSubstr("AreaRule: constant"));
-}
-
-// --- Progress and abort
-// ------------------------------------------------------------------------------
-
-TEST(DomainMesher, ProgressGrowsAndAbortStops)
-{
-  Generation generation;
-  generation.Layout->AddPolygon("maze", 0.5, 0.5);
-  generation.Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
-  generation.Mesher->SetMaximumArea(1e-4);
-  struct Watch
-  {
-    std::vector<double> Fractions;
-    bool Abort = false;
-  } watch;
-  vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&watch);
-  command->SetCallback(
-    [](vtkObject* caller, unsigned long, void* client, void* fraction)
-    {
-      auto* self = static_cast<Watch*>(client);
-      self->Fractions.push_back(*static_cast<double*>(fraction));
-      if (self->Abort && self->Fractions.back() > 0.0)
-      {
-        vtkAlgorithm::SafeDownCast(caller)->SetAbortExecute(1);
-      }
-    });
-  generation.Mesher->AddObserver(vtkCommand::ProgressEvent, command);
-  const vtkIdType cells = generation.MeshAt(0.5)->GetNumberOfCells();
-  EXPECT_GT(cells, 10000);
-  EXPECT_GT(watch.Fractions.size(), 10u);
-  EXPECT_TRUE(std::is_sorted(watch.Fractions.begin(), watch.Fractions.end()));
-  EXPECT_EQ(watch.Fractions.back(), 1.0);
-
-  const std::size_t all = watch.Fractions.size();
-  watch = {};
-  watch.Abort = true;
-  EXPECT_EQ(generation.MeshAt(0.6)->GetNumberOfCells(), 0);
-  EXPECT_LT(watch.Fractions.size(), all / 2);
-  watch.Abort = false;
-  generation.Mesher->Modified();
-  EXPECT_GT(generation.MeshAt(0.6)->GetNumberOfCells(), 10000) << "runs again when asked again";
 }
 
 } // namespace
