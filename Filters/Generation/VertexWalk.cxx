@@ -184,19 +184,17 @@ bool VertexWalk::AnyBlocks(const std::vector<int>& cell, const Step& step)
     });
 }
 
-/** Whether the two edges at the vertex would come to lie on each other, on the way or at its end.
- * The angle between them is smallest at one of the ends unless they open to a straight line. */
+/** Whether the two edges at the vertex would come to lie nearly on each other. The angle between
+ * them is smallest at one of the ends of the way; to pass a neighbour on the line through both is
+ * what Blocks finds, because the neighbour then is in the triangle that the other edge sweeps. */
 bool VertexWalk::FoldsNeighbours(const Step& step) const
 {
   const Point2& previous = this->Vertices[step.Previous];
   const Point2& next = this->Vertices[step.Next];
-  const int before = Orientation(previous, step.Start, next);
-  const int after = Orientation(previous, step.End, next);
-  const int ofPrevious = Orientation(step.Start, step.End, previous);
-  const int ofNext = Orientation(step.Start, step.End, next);
-  const bool changesSide = before != 0 && before != after;
   const double passing = PassingClearance * this->Clearance;
-  return after == 0 || ofPrevious == 0 || ofNext == 0 || (changesSide && ofPrevious == ofNext) ||
+  return Orientation(previous, step.End, next) == 0 ||
+    Orientation(step.Start, step.End, previous) == 0 ||
+    Orientation(step.Start, step.End, next) == 0 ||
     Distance(previous, step.End, next) < this->Clearance ||
     Distance(next, previous, step.End) < this->Clearance ||
     Distance(previous, step.Start, step.End) < passing ||
@@ -232,14 +230,12 @@ bool VertexWalk::Blocks(int edge, const Step& step) const
 }
 
 /** The same of the edge from `joint`, a neighbour of the vertex, to `other`: it meets one of the
- * edges that move in the joint anyway, and may not lie between its old and its new direction. */
+ * edges that move in the joint anyway. Where it lies between the old and the new direction of that
+ * edge, it crosses the way or ends in the triangle swept, in which the edge behind it is found. */
 bool VertexWalk::BlocksAsNeighbour(
   const Point2& joint, const Point2& other, const Point2& opposite, const Step& step) const
 {
-  const int turn = Orientation(joint, step.Start, step.End);
-  const bool isBetween =
-    Orientation(joint, step.Start, other) != -turn && Orientation(joint, other, step.End) != -turn;
-  return isBetween || Distance(other, joint, step.End) < this->Clearance ||
+  return Distance(other, joint, step.End) < this->Clearance ||
     Distance(step.End, joint, other) < this->Clearance ||
     MeetsTriangle(joint, other, opposite, step.Start, step.End) ||
     Distance(joint, other, opposite, step.End) < this->Clearance;

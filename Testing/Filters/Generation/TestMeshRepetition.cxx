@@ -133,9 +133,9 @@ PolygonMesh MoveTo(PolygonMesh mesh, const MeshBox& box)
 PolygonMesh MakeUneven()
 {
   PolygonMesh mesh;
-  mesh.Points = { { 0, 0 }, { 0.3, 0 }, { 1, 0 }, { 1, 0.5 }, { 1, 1 }, { 0.7, 1 }, { 0.6, 1 },
-    { 0, 1 }, { 0, 1.0 / 3.0 } };
-  const int vertices[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8 };
+  mesh.Points = { { 0, 0 }, { 0.2, 0 }, { 0.3, 0 }, { 1, 0 }, { 1, 0.5 }, { 1, 1 }, { 0.7, 1 },
+    { 0.6, 1 }, { 0, 1 }, { 0, 1.0 / 3.0 } };
+  const int vertices[] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9 };
   mesh.AddElement(vertices);
   return mesh;
 }
@@ -212,12 +212,12 @@ TEST(MeshRepetition, OtherVerticesOfASeamBecomeStraightOnes)
   {
     sizes.push_back(tiled.Mesh.Element(i).size());
   }
-  // South west: 1 from the right and 1 from above; south east: 1 from the left, 1 from above; ...
-  EXPECT_EQ(sizes, (std::vector<std::size_t>{ 11, 11, 12, 12 }));
+  // One from the side, two from above or below.
+  EXPECT_EQ(sizes, (std::vector<std::size_t>{ 13, 13, 13, 13 }));
   tiled.Mesh.GetVertices(0, last);
-  const std::vector<Point2> expected = { { 0, 0 }, { 0.15, 0 }, { 0.5, 0 },
+  const std::vector<Point2> expected = { { 0, 0 }, { 0.1, 0 }, { 0.15, 0 }, { 0.5, 0 },
     { 0.5, (1.0 / 3.0) / 2.0 }, { 0.5, 0.25 }, { 0.5, 0.5 }, { 0.35, 0.5 }, { 0.3, 0.5 },
-    { 0.15, 0.5 }, { 0, 0.5 }, { 0, (1.0 / 3.0) / 2.0 } };
+    { 0.15, 0.5 }, { 0.1, 0.5 }, { 0, 0.5 }, { 0, (1.0 / 3.0) / 2.0 } };
   EXPECT_EQ(last, expected);
   EXPECT_EQ(tiled.Sources, (std::vector<int>{ 0, 0, 0, 0 }));
 }
