@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyGeneration.h"
 
+#include "MeshConversion.h"
 #include "Study.h"
 #include "StudyLayout.h"
 #include "vtkPEMAgglomerate.h"
@@ -15,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 #include <string_view>
 
 namespace pemesh
@@ -65,7 +67,15 @@ vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
   const StudyMesh& mesh = study.Mesh;
   this->ConfigureDomain(study);
   this->Layout->SetInputConnection(this->Domain->GetOutputPort());
-  ConfigureLayout(study, this->Layout);
+  try
+  {
+    ConfigureLayout(study, this->Layout);
+  }
+  catch (const std::runtime_error& error) // a file, or polygons that find no room: of this case
+  {
+    this->LayoutFault = error.what();
+    this->Layout->RemoveAllPolygons();
+  }
   this->Mesher->SetInputConnection(0, this->Layout->GetOutputPort());
   this->Mesher->SetInputConnection(1, this->Domain->GetOutputPort());
   this->Mesher->SetAreaRuleByName(mesh.MaximumArea.Rule);
@@ -76,7 +86,22 @@ vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
   this->Mesher->SetMinimumAngle(mesh.MinimumAngle);
   this->Mesher->SetPreservePolygons(mesh.PreservePolygons);
   this->Mesher->SetPreserveDomain(mesh.PreserveDomain);
+  this->Mesher->SetGradation(mesh.Gradation);
+  this->Mesher->SetSizeAtPolygons(mesh.SizeAtPolygons);
   return this->Mesher;
+}
+
+void StudyGeneration::SetMaximumArea(double area)
+{
+  this->Mesher->SetAreaRule(vtkPEMDomainMesher::AREA_CONSTANT);
+  this->Mesher->SetMaximumArea(area);
+}
+
+double StudyGeneration::GetDomainArea()
+{
+  this->Domain->Update();
+  pemesh::Domain domain;
+  return ToDomain(this->Domain->GetOutput(), domain).empty() ? DomainArea(domain) : 1.0;
 }
 
 vtkAlgorithm* StudyGeneration::ConfigureTessellation(const Study& study)
@@ -119,6 +144,7 @@ void StudyGeneration::ConfigureAgglomeration(const StudyAgglomeration& agglomera
 
 vtkAlgorithm* StudyGeneration::Configure(const Study& study)
 {
+  this->LayoutFault.clear();
   vtkAlgorithm* last = this->ConfigureSource(study);
   const auto append = [&last](vtkAlgorithm* filter)
   {

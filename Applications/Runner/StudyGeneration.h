@@ -10,6 +10,7 @@
 #ifndef pemesh_StudyGeneration_h
 #define pemesh_StudyGeneration_h
 
+#include <string>
 #include <vector>
 
 #include <vtkNew.h> // For the filters
@@ -45,6 +46,15 @@ public:
    */
   vtkAlgorithm* Configure(const Study& study);
 
+  /** Why the polygons of the study cannot be placed, one sentence; empty if they can. */
+  const std::string& GetLayoutFault() const { return this->LayoutFault; }
+
+  /** In place of the study's rule, until it is configured again. */
+  void SetMaximumArea(double area);
+
+  /** Of the domain; that of the unit square where there is none. */
+  double GetDomainArea();
+
 private:
   vtkAlgorithm* ConfigureReader(const Study& study);
   void ConfigureDomain(const Study& study);
@@ -53,6 +63,7 @@ private:
   vtkAlgorithm* ConfigureSource(const Study& study);
   void ConfigureAgglomeration(const StudyAgglomeration& agglomeration);
 
+  std::string LayoutFault;
   vtkNew<vtkPEMMeshReader> Reader;
   vtkNew<vtkPEMDomain> Domain;
   vtkNew<vtkPEMPolygonLayout> Layout;

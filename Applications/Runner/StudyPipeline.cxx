@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyPipeline.h"
 
+#include "CaseStatus.h"
 #include "ErrorText.h"
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
 #include "StudyGeneration.h"
+#include "StudyTargetSearch.h"
 #include "vtkPEMCaseLabel.h"
 #include "vtkPEMExternalSolver.h"
 #include "vtkPEMMetricSummary.h"
@@ -89,11 +91,41 @@ public:
   /** Sets what a case says; what it leaves as it was stays up to date. */
   void Configure(const Study& study)
   {
+    this->Target = study.Mesh.Target;
     this->First->SetInputConnection(this->Generation.Configure(study)->GetOutputPort());
     for (std::size_t i = 0; i < this->Solvers.size(); ++i)
     {
       ConfigureSolver(this->Solvers[i], study.Solvers[i]);
     }
+  }
+
+  /**
+   * The mesh of the last filter of the generation with that bound on the area; null if there is
+   * none, or no need for one any more.
+   */
+  vtkPolyData* MakeMeshWithin(double bound, double time)
+  {
+    this->Generation.SetMaximumArea(bound);
+    vtkAlgorithm* last = this->First->GetInputAlgorithm();
+    last->UpdateTimeStep(time);
+    this->ThrowError();
+    auto* mesh = vtkPolyData::SafeDownCast(last->GetOutputDataObject(0));
+    return this->Stop || IsCaseFailed(mesh) ? nullptr : mesh;
+  }
+
+  /** What keeps the case from having a mesh, as far as the filters cannot know. */
+  void PrepareMesh(double time)
+  {
+    const std::string& fault = this->Generation.GetLayoutFault();
+    std::string miss;
+    if (fault.empty() && this->Target.Quantity != "none")
+    {
+      miss = SearchTarget(this->Target, this->Generation.GetDomainArea(),
+        [this, time](double bound) { return this->MakeMeshWithin(bound, time); });
+    }
+    const char* status = !fault.empty() ? "invalid-layout" : "target-not-reached";
+    const std::string& message = fault.empty() ? miss : fault;
+    this->Label->SetFailure(message.empty() ? "" : status, message);
   }
 
   void ThrowError() const
@@ -118,6 +150,7 @@ public:
   vtkNew<vtkCallbackCommand> StopObserver;
   Study BaseStudy;
   std::optional<std::vector<SweptValue>> Configured; // the case that the pipeline is set to
+  StudyTarget Target;
   StudyGeneration Generation;
   vtkNew<vtkPEMCaseLabel> Label;
   vtkNew<vtkPEMMetrics> Metrics;
@@ -179,6 +212,7 @@ void StudyPipeline::Execute(const StudyCase& studyCase)
     std::isnan(number) ? pipeline.Label->SetTextParameter(swept.Name, FormatScalar(swept.Value))
                        : pipeline.Label->SetParameter(swept.Name, number);
   }
+  pipeline.PrepareMesh(studyCase.Time);
   vtkAlgorithm* last = pipeline.Summary;
   last->UpdateInformation();
   vtkStreamingDemandDrivenPipeline::SafeDownCast(last->GetExecutive())

@@ -6,10 +6,12 @@
 
 #include <algorithm>
 
+#include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
 
 vtkStandardNewMacro(vtkPEMCaseLabel);
 
@@ -48,6 +50,16 @@ void vtkPEMCaseLabel::ChangeParameter(const std::string& name, const ParameterVa
   }
 }
 
+void vtkPEMCaseLabel::SetFailure(const std::string& status, const std::string& message)
+{
+  if (this->FailureStatus != status || this->FailureMessage != message)
+  {
+    this->FailureStatus = status;
+    this->FailureMessage = message;
+    this->Modified();
+  }
+}
+
 void vtkPEMCaseLabel::RemoveAllParameters()
 {
   if (!this->Parameters.empty())
@@ -78,6 +90,13 @@ int vtkPEMCaseLabel::RequestData(
     }
     pemesh::AddToFieldList(output, pemesh::ParametersList, name);
   }
+  if (!this->FailureStatus.empty() && !pemesh::IsCaseFailed(output))
+  {
+    const vtkSmartPointer<vtkFieldData> fields = output->GetFieldData(); // outlives the mesh
+    output->Initialize();
+    output->SetFieldData(fields);
+    pemesh::SetCaseFailed(output, this->FailureStatus, this->FailureMessage);
+  }
   return 1;
 }
 
@@ -85,6 +104,7 @@ void vtkPEMCaseLabel::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "MeshName: " << this->MeshName << "\n";
+  os << indent << "Failure: " << this->FailureStatus << " " << this->FailureMessage << "\n";
   for (const auto& [name, value] : this->Parameters)
   {
     os << indent << "Parameter " << name << ": ";

@@ -39,6 +39,13 @@ public:
   void RemoveAllParameters();
   ///@}
 
+  ///@{
+  /** Marks a mesh that has not failed already as failed; an empty status does not. Default empty.
+   */
+  void SetFailure(const std::string& status, const std::string& message);
+  std::string GetFailure() const { return this->FailureMessage; }
+  ///@}
+
 protected:
   vtkPEMCaseLabel() = default;
   ~vtkPEMCaseLabel() override = default;
@@ -50,10 +57,12 @@ private:
   vtkPEMCaseLabel(const vtkPEMCaseLabel&) = delete;
   void operator=(const vtkPEMCaseLabel&) = delete;
 
-  std::string MeshName;
   using ParameterValue = std::variant<double, std::string>;
   void ChangeParameter(const std::string& name, const ParameterValue& value);
 
+  std::string MeshName;
+  std::string FailureStatus;
+  std::string FailureMessage;
   std::vector<std::pair<std::string, ParameterValue>> Parameters;
 };
 

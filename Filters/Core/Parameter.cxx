@@ -14,12 +14,18 @@ namespace pemesh
 namespace
 {
 
+/** 100000 rather than 1e+05. */
+std::string Show(double value)
+{
+  const bool isInteger = value == std::trunc(value) && std::abs(value) <= 0x1p53;
+  return isInteger ? std::to_string(static_cast<long long>(value)) : FormatNumber(value);
+}
+
 std::string RangeText(const Parameter& parameter)
 {
-  const std::string least = FormatNumber(parameter.Least);
-  return std::isfinite(parameter.Greatest)
-    ? "between " + least + " and " + FormatNumber(parameter.Greatest)
-    : "at least " + least;
+  const std::string least = Show(parameter.Least);
+  return std::isfinite(parameter.Greatest) ? "between " + least + " and " + Show(parameter.Greatest)
+                                           : "at least " + least;
 }
 
 } // namespace
@@ -30,7 +36,7 @@ std::string Parameter::WhyInvalid(double value) const
   const bool isInRange = value >= this->Least && value <= this->Greatest;
   const bool isRightKind = !this->IsInteger || value == std::trunc(value);
   return isInRange && isRightKind ? std::string()
-                                  : std::string(this->Name) + " is " + FormatNumber(value) +
+                                  : std::string(this->Name) + " is " + Show(value) +
       "; it must be " + (this->IsInteger ? "an integer " : "") + RangeText(*this) + ".";
 }
 

@@ -23,7 +23,8 @@ public:
   /** A record of a table, whose members are columns: "line 3, column scale". */
   static DocumentPlace Record(const std::string& source, std::size_t line)
   {
-    DocumentPlace place(source, "line " + std::to_string(line));
+    DocumentPlace place(source);
+    place.Path = "line " + std::to_string(line);
     place.Separator = ", column ";
     return place;
   }

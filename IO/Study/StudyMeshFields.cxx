@@ -218,6 +218,13 @@ FieldTable<StudyMesh> MeshFields()
       BooleanField("preserve-domain", &StudyMesh::PreserveDomain,
         "Whether the edges of the domain may not be split.")
         .Only(IsTriangulated, which),
+      NumberField("gradation", &StudyMesh::Gradation, { .Least = 0.0 },
+        "How fast edges grow with the distance from the polygons; 0: the maximum area alone "
+        "counts.")
+        .Only(IsTriangulated, which),
+      NumberField("size-at-polygons", &StudyMesh::SizeAtPolygons, { .Least = 0.0 },
+        "Length of the edges at the polygons, with gradation; 0: that of the polygon's own.")
+        .Only(IsTriangulated, which),
       ObjectField("target", &StudyMesh::Target, TargetFields(),
         "Holds a number fixed, so that it does not confound what is swept.")
         .Only(IsTriangulated, which),

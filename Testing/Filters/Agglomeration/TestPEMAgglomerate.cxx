@@ -44,9 +44,9 @@ void MakeQuickstart(vtkPEMPolygonLayout* layout, vtkPEMDomainMesher* mesher)
 {
   const int comb = layout->AddPolygon("comb", 0.32, 0.28);
   layout->SetPolygonRotation(comb, 15.0);
-  layout->SetPolygonCount(comb, 10);
+  layout->SetPolygonParameter(comb, "teeth", 10);
   const int star = layout->AddPolygon("star", 0.68, 0.7);
-  layout->SetPolygonCount(star, 40);
+  layout->SetPolygonParameter(star, "spikes", 40);
   mesher->SetInputConnection(layout->GetOutputPort());
   mesher->SetAreaRuleByName("constant");
   mesher->SetMaximumArea(0.002);

@@ -121,7 +121,7 @@ TEST(DomainMesherSize, TenThousandEdgesAreNoObstacle)
 {
   Generation generation;
   generation.Layout->AddPolygon("n-sided", 0.5, 0.5);
-  generation.Layout->SetPolygonCount(0, 10000);
+  generation.Layout->SetPolygonParameter(0, "sides", 10000);
   generation.Mesher->SetGradation(0.5);
   vtkPolyData* mesh = generation.MeshAt(1.0);
   EXPECT_EQ(pemesh::GetCaseStatusMessage(mesh), "");

@@ -192,7 +192,7 @@ TEST(PolygonFamilies, ParametersAreTakenWithinBounds)
   EXPECT_EQ(VerticesAtEnd("random", "vertices", 9).size(), 9u);
   EXPECT_NE(VerticesAtEnd("random", "seed", 9), Vertices("random", 1.0));
   pemesh::ParameterValues values(pemesh::FindPolygonFamily("n-sided")->Parameters);
-  EXPECT_EQ(values.Set("sides", 2), "sides is 2; it must be an integer between 3 and 1e+05.");
+  EXPECT_EQ(values.Set("sides", 2), "sides is 2; it must be an integer between 3 and 100000.");
 }
 
 } // namespace

@@ -324,7 +324,7 @@ TEST(StudyFile, ScatteredPolygons)
   EXPECT_EQ(study.Scatter->Count, 30);
   EXPECT_EQ(study.Scatter->Families, std::vector<std::string>{ "comb" });
   EXPECT_EQ(study.Scatter->Gap, 0.01);
-  EXPECT_EQ(pemesh::StudyTimes(study).size(), 20u) << "they deform";
+  EXPECT_EQ(TimesOf(study).size(), 20u) << "they deform";
   EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
   const Study all = ParseStudy(
     R"({"pemesh": 1, "polygons": [], "scatter": {"order": "random", "smallest-scale": 0.1,
