@@ -124,6 +124,22 @@ double SmallestAngle(const RefinableTriangulation& triangulation)
   return angle;
 }
 
+/** In the order of the boundary's vertices. */
+std::vector<const std::vector<Point2>*> AllLoops(
+  const Domain& domain, const std::vector<std::vector<Point2>>& polygons)
+{
+  std::vector<const std::vector<Point2>*> loops;
+  for (const std::vector<std::vector<Point2>>* list : { &polygons, &domain.Holes })
+  {
+    for (const std::vector<Point2>& loop : *list)
+    {
+      loops.push_back(&loop);
+    }
+  }
+  loops.push_back(&domain.Outer);
+  return loops;
+}
+
 using Loops = std::vector<std::vector<int>>;
 
 /**
@@ -223,6 +239,22 @@ void FillElements(const RefinableTriangulation& triangulation, const Loops& loop
   mesh.AttainedMinimumAngle = SmallestAngle(triangulation);
 }
 
+RefinementOptions MakeRefinementOptions(
+  const DomainBoundary& boundary, const DomainMeshOptions& options)
+{
+  RefinementOptions refinement;
+  refinement.MinimumAngle = options.MinimumAngle;
+  refinement.MaximumArea = options.MaximumArea;
+  refinement.Gradation = options.Gradation;
+  refinement.SizeAtPolygons = options.SizeAtPolygons;
+  refinement.MaximumTriangles = options.MaximumElements;
+  refinement.Progress = options.Progress;
+  refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
+  std::fill_n(
+    refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
+  return refinement;
+}
+
 } // namespace
 
 DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2>>& polygons,
@@ -241,16 +273,7 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
   DomainTriangulation domainTriangulation = TriangulateDomain(boundary);
   const RefinableTriangulation& triangulation = domainTriangulation.Inside;
 
-  RefinementOptions refinement;
-  refinement.MinimumAngle = options.MinimumAngle;
-  refinement.MaximumArea = options.MaximumArea;
-  refinement.Gradation = options.Gradation;
-  refinement.SizeAtPolygons = options.SizeAtPolygons;
-  refinement.MaximumTriangles = options.MaximumElements;
-  refinement.Progress = options.Progress;
-  refinement.Preserved.assign(boundary.Segments.size(), options.PreserveDomain);
-  std::fill_n(
-    refinement.Preserved.begin(), boundary.NumberOfPolygonSegments, options.PreservePolygons);
+  const RefinementOptions refinement = MakeRefinementOptions(boundary, options);
   const NarrowGaps gaps = FindNarrowGaps(triangulation, refinement.Preserved, options.MinimumAngle);
   if (gaps.Triangles > options.MaximumElements)
   {
@@ -271,15 +294,7 @@ DomainMesh MeshDomain(const Domain& domain, const std::vector<std::vector<Point2
       return mesh;
   }
 
-  std::vector<const std::vector<Point2>*> given;
-  for (const std::vector<std::vector<Point2>>* list : { &polygons, &domain.Holes })
-  {
-    for (const std::vector<Point2>& loop : *list)
-    {
-      given.push_back(&loop);
-    }
-  }
-  given.push_back(&domain.Outer);
+  const std::vector<const std::vector<Point2>*> given = AllLoops(domain, polygons);
   const Loops loops = CollectLoops(triangulation, given);
   const int spoilt = FindSpoiltLoop(triangulation.GetPoints(), loops, given);
   if (spoilt >= 0)

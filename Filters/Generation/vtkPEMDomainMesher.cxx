@@ -141,6 +141,23 @@ void WriteMesh(const pemesh::PolygonMesh& mesh, const Layout& layout, vtkPolyDat
   output->GetCellData()->AddArray(ElementNumbers(pemesh::PolygonIdArray, layout.Ids, count));
 }
 
+void WriteOutcome(const pemesh::DomainMesh& mesh, const Layout& layout, vtkPolyData* output)
+{
+  const bool isDone = mesh.Status == pemesh::DomainMeshStatus::Done;
+  pemesh::SetFieldNumber(
+    output, "MaximumArea", std::isfinite(mesh.MaximumArea) ? mesh.MaximumArea : Undefined);
+  pemesh::SetFieldNumber(
+    output, "AttainedMinimumAngle", isDone ? mesh.AttainedMinimumAngle : Undefined);
+  if (isDone)
+  {
+    WriteMesh(mesh.Elements, layout, output);
+  }
+  else
+  {
+    pemesh::SetCaseFailed(output, StatusWord(mesh.Status), mesh.Message);
+  }
+}
+
 } // namespace
 
 vtkPEMDomainMesher::vtkPEMDomainMesher()
@@ -267,19 +284,7 @@ int vtkPEMDomainMesher::RequestData(vtkInformation* vtkNotUsed(request),
     output->Initialize(); // the caller does not want it
     return 1;
   }
-  const bool isDone = mesh.Status == pemesh::DomainMeshStatus::Done;
-  pemesh::SetFieldNumber(
-    output, "MaximumArea", std::isfinite(mesh.MaximumArea) ? mesh.MaximumArea : Undefined);
-  pemesh::SetFieldNumber(
-    output, "AttainedMinimumAngle", isDone ? mesh.AttainedMinimumAngle : Undefined);
-  if (isDone)
-  {
-    WriteMesh(mesh.Elements, layout, output);
-  }
-  else
-  {
-    pemesh::SetCaseFailed(output, StatusWord(mesh.Status), mesh.Message);
-  }
+  WriteOutcome(mesh, layout, output);
   return 1;
 }
 
