@@ -4,7 +4,8 @@
  * A mesh renumbered so that what lies together in the plane lies together in memory.
  *
  * Merging goes from elements to their neighbours all the time; on a large mesh in arbitrary order
- * each step waits for memory. Renumbered along a Hilbert curve it takes a third of the time.
+ * each step waits for memory. Renumbering along a Hilbert curve saves a fifth to a third of the
+ * time at 7 10^5 triangles, its own cost included.
  */
 #ifndef pemesh_MeshOrder_h
 #define pemesh_MeshOrder_h

@@ -21,8 +21,9 @@ namespace pemesh
  * 1. An empty part takes half of the part with the most elements.
  * 2. Each part is grown element by element as far as it stays a simple polygon; what is left of it
  *    is grown again, as a fragment. A part that is a disc already is grown whole, in whatever
- * order, because every shelling of a disc can be continued (G. Danaraj, V. Klee, Which spheres are
- *    shellable?, Annals of Discrete Mathematics 2 (1978) 33-52).
+ * order, because every shelling of a disc can be continued (G. Danaraj, V. Klee, A representation
+ * of 2-dimensional pseudomanifolds and its use in the design of a linear-time shelling algorithm,
+ *    Annals of Discrete Mathematics 2 (1978) 53-63).
  * 3. While there are too many groups, the lightest fragment, or where there is none the lightest
  *    group, joins the neighbour with which it has the most sides in common.
  *

@@ -25,6 +25,17 @@ namespace
 
 using ::testing::HasSubstr;
 
+/** How many old elements each new one is made of. */
+std::vector<int> CountMembers(const AgglomerationResult& result)
+{
+  std::vector<int> members(static_cast<std::size_t>(result.Mesh.NumberOfElements()), 0);
+  for (const int group : result.Group)
+  {
+    ++members[static_cast<std::size_t>(group)];
+  }
+  return members;
+}
+
 class EveryRule : public testing::TestWithParam<int>
 {
 protected:
@@ -71,26 +82,28 @@ TEST_P(EveryRule, GivesTheSameBitsAgain)
 
 TEST_P(EveryRule, NeverMergesPlacedPolygonsUnlessTold)
 {
-  const SampleMesh sample = MeshOfRandomLayout(2);
-  AgglomerationOptions options = this->MakeOptions(sample);
-  options.TargetElements = 1;
-  const AgglomerationResult result = Agglomerate(sample.Mesh, options);
-  ASSERT_EQ(WhyNotAnAgglomeration(sample.Mesh, result), "");
-  std::vector<int> members(static_cast<std::size_t>(result.Mesh.NumberOfElements()), 0);
-  for (const int group : result.Group)
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
   {
-    ++members[static_cast<std::size_t>(group)];
-  }
-  int placed = 0;
-  for (std::size_t element = 0; element < sample.Placed.size(); ++element)
-  {
-    if (sample.Placed[element])
+    const SampleMesh sample = MeshOfRandomLayout(seed);
+    const int elements = sample.Mesh.NumberOfElements();
+    for (const int target : { 1, 10, elements / 3 })
     {
-      EXPECT_EQ(members[static_cast<std::size_t>(result.Group[element])], 1);
-      ++placed;
+      AgglomerationOptions options = this->MakeOptions(sample);
+      options.TargetElements = target;
+      const AgglomerationResult result = Agglomerate(sample.Mesh, options);
+      const std::vector<int> members = CountMembers(result);
+      for (int element = 0; element < elements; ++element)
+      {
+        if (sample.Placed[static_cast<std::size_t>(element)])
+        {
+          EXPECT_EQ(
+            members.at(static_cast<std::size_t>(result.Group[static_cast<std::size_t>(element)])),
+            1)
+            << seed << ", " << target;
+        }
+      }
     }
   }
-  EXPECT_GT(placed, 0);
 }
 
 TEST_P(EveryRule, AgglomeratesAgglomerates)
@@ -145,17 +158,6 @@ TEST(AgglomerationRules, RandomReachesTheTarget)
     }
   }
   EXPECT_EQ(results.size(), 10U); // 800 and 1 leave no choice
-}
-
-/** How many old elements each new one is made of. */
-std::vector<int> CountMembers(const AgglomerationResult& result)
-{
-  std::vector<int> members(static_cast<std::size_t>(result.Mesh.NumberOfElements()), 0);
-  for (const int group : result.Group)
-  {
-    ++members[static_cast<std::size_t>(group)];
-  }
-  return members;
 }
 
 /** Every rule with a target, on meshes where nothing stands in its way. */
