@@ -26,8 +26,8 @@ RawMesh MakeMendable()
   points.push_back({ 7, 7 });                             // unused: 9
   points.push_back({ 1, 1 });                             // a copy of 4: 10
   squares[3][0] = 10;
-  squares[2].push_back(squares[2][3]);      // repeated
-  squares[1].insert(squares[1].begin(), 1); // repeated at the start
+  squares[2].push_back(squares[2][3]); // repeated
+  squares[1].push_back(1);             // repeated around the end
   return MakeRawMesh(points, squares);
 }
 
