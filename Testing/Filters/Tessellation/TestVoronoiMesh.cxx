@@ -142,6 +142,20 @@ TEST(VoronoiMesh, EveryStepOfLloydLowersTheEnergy)
   }
 }
 
+TEST(VoronoiMesh, AStepOfLloydGoesToTheCentroid)
+{
+  const Domain lShape = SampleDomains()[4].Region;
+  std::vector<Point2> sites = { { 0.8, 0.1 } };
+  ASSERT_EQ(RelaxSites(lShape, 1, Go, sites), "");
+  EXPECT_NEAR(sites[0].x, 5.0 / 12.0, 1e-15);
+  EXPECT_NEAR(sites[0].y, 5.0 / 12.0, 1e-15);
+  // The centroid of a ring is not in it.
+  const Domain ring = SampleDomains()[11].Region;
+  sites = { { 0.97, 0.0 } };
+  ASSERT_EQ(RelaxSites(ring, 1, Go, sites), "");
+  EXPECT_EQ(sites[0], (Point2{ 0.97, 0.0 }));
+}
+
 /** No mesh has less than regular hexagons: 5 / (18 sqrt(3)) (Fejes Toth); Lloyd comes near. */
 TEST(VoronoiMesh, LloydComesNearRegularHexagons)
 {
