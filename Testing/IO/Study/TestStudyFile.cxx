@@ -113,6 +113,27 @@ TEST(StudyFile, BareSquareIsOneMesh)
   EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
 }
 
+TEST(StudyFile, MeshesFromAnySource)
+{
+  const Study koch = ParseStudy(
+    R"({"pemesh": 1, "domain": {"shape": "disc"}, "mesh": {"source": "koch", "depth": 2, "tile": 3,
+      "agglomerate": {"rule": "quality", "metric": "CircleRatio", "percentage": 12.5}}})",
+    "s.json");
+  EXPECT_EQ(koch.Mesh.Source, "koch");
+  ASSERT_EQ(koch.Mesh.Parameters.size(), 3U) << "all of the source";
+  EXPECT_EQ(koch.Mesh.Tile, (std::array<int, 2>{ 3, 3 }));
+  EXPECT_EQ(koch.Mesh.Agglomeration.Percentage, 12.5);
+  EXPECT_TRUE(koch.Sweep.empty());
+  const Study files = ParseStudy(
+    R"({"pemesh": 1, "meshes": "*.off", "mesh": {"mirror": 1, "agglomerate": {"rule": "metis"}}})",
+    "s.json");
+  EXPECT_EQ(files.Mesh.Mirror, 1);
+  for (const Study& study : { koch, files })
+  {
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
+  }
+}
+
 TEST(StudyFile, ListsOfTimes)
 {
   const Study study = ParseStudy(
@@ -174,10 +195,13 @@ TEST(StudyFile, FormattingWritesEveryDefault)
     }
   ],
   "mesh": {
+    "source": "triangulation",
     "max-area": {"rule": "diagonal"},
     "min-angle": 20,
     "preserve-polygons": false,
     "preserve-domain": false,
+    "gradation": 0,
+    "size-at-polygons": 0,
     "target": {"quantity": "none"},
     "mirror": 0,
     "tile": [1, 1],
@@ -352,7 +376,7 @@ TEST(StudyFile, EveryKeyIsExplained)
 {
   const std::string text = pemesh::DescribeStudyKeys();
   for (const char* line :
-    { "\npolygons[].teeth: integer between 1 and 100000. Extra teeth at t = 1; by default 10.",
+    { "\npolygons[].teeth: integer between 1 and 100000, default 10. Extra teeth at t = 1.",
       "\npolygons[].spikes", "\nmesh.min-angle: number between 0 and 33, default 20.",
       "\nmesh.max-area.rule: one of none, shortest-edge, diagonal, constant, default \"diagonal\"",
       "\nsweep[].count: integer between 1 and 10000000, default 20.",

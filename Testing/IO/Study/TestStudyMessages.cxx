@@ -48,8 +48,10 @@ INSTANTIATE_TEST_SUITE_P(Document, StudyMessages,
     BadStudy{ "1", "the document is 1 where an object {…} is expected." },
     BadStudy{ "{}", "pemesh is missing (the number 1)." },
     BadStudy{ R"({"pemesh": 1})",
-      "the document has neither polygons nor meshes: place polygons in the domain, or name mesh "
-      "files, for example \"meshes\": \"folder/*.off\"." },
+      "the document has neither polygons nor meshes nor mesh.source: place polygons in the domain, "
+      "name mesh files, for example \"meshes\": \"folder/*.off\", or a source of meshes, for "
+      "example "
+      "\"mesh\": {\"source\": \"voronoi\"}." },
     BadStudy{ R"({"pemesh": 1, "polygns": []})", "polygns is not a key; did you mean polygons?" },
     BadStudy{ R"({"pemesh": 1, "polygons": [], "meshes": "*.off"})",
       "the document has both polygons and meshes: a study makes its meshes or reads them." },
@@ -138,9 +140,29 @@ TEST(StudyMessages, OfTheMesh)
     "\"s.json\": mesh.max-area.value does not apply here: it is a key of the rule constant.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"preserve-polygons": 1})")),
     "\"s.json\": mesh.preserve-polygons is 1 where true or false is expected.");
-  EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": "a.off", "mesh": {}})"),
-    "\"s.json\": mesh does not apply here: it is a key of a study that makes its meshes, not of "
+  EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": "a.off", "domain": {}})"),
+    "\"s.json\": domain does not apply here: it is a key of a study that makes its meshes, not of "
     "mesh files.");
+  EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": "a.off", "mesh": {"min-angle": 20}})"),
+    "\"s.json\": mesh.min-angle does not apply here: it is a key of the source triangulation.");
+  EXPECT_THAT(ComplaintAbout(R"({"pemesh": 1, "meshes": "a.off", "mesh": {"source": "koch"}})"),
+    testing::HasSubstr("the source files belongs to a study with meshes"));
+  EXPECT_THAT(ComplaintAbout(Polygons(R"("mesh": {"source": "koch"})")),
+    testing::HasSubstr("mesh.source is \"koch\", which takes no polygons"));
+  EXPECT_THAT(ComplaintAbout(R"({"pemesh": 1, "mesh": {"source": "koch", "cells": 3}})"),
+    testing::HasSubstr("mesh.cells does not apply here: it is a key of the source"));
+  EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "mesh": {"source": "koch", "depth": 2.5}})"),
+    "\"s.json\": mesh.depth is 2.5 where an integer is expected.");
+  EXPECT_THAT(ComplaintAbout(Polygons(R"("mesh": {"tile": [1, 2, 3]})")),
+    testing::HasSubstr("mesh.tile is [1, 2, 3] where two integers [columns, rows] are expected"));
+  EXPECT_EQ(ComplaintAbout(Polygons(R"("mesh": {"agglomerate": {"percentage": 10}})")),
+    "\"s.json\": mesh.agglomerate.percentage does not apply here: it is a key of rules other than "
+    "none.");
+  EXPECT_THAT(ComplaintAbout(Polygons(
+                R"("mesh": {"agglomerate": {"rule": "metis", "elements": 9, "percentage": 5}})")),
+    testing::HasSubstr("say one of them"));
+  EXPECT_THAT(ComplaintAbout(Polygons(R"("mesh": {"target": {"quantity": "dofs"}})")),
+    testing::HasSubstr("mesh.target.value is missing"));
   EXPECT_EQ(ComplaintAbout(R"({"pemesh": 1, "meshes": []})"),
     "\"s.json\": meshes is []: name files, or a pattern such as \"folder/*.off\".");
 }
