@@ -63,6 +63,17 @@ inline void CompleteParameters(std::span<const Parameter> parameters, StudyParam
   values = std::move(complete);
 }
 
+/** Takes out the values that are the defaults of the entry. */
+inline void DropDefaults(std::span<const Parameter> parameters, StudyParameters& values)
+{
+  std::erase_if(values,
+    [&](const auto& value)
+    {
+      const Parameter* parameter = FindParameter(parameters, value.first);
+      return parameter && parameter->Default == value.second;
+    });
+}
+
 /** "integer at least 1, default 40" */
 inline std::string DescribeParameter(const Parameter& parameter)
 {

@@ -120,7 +120,7 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
       rules, { &StudyAgglomeration::Rule, &StudyAgglomeration::Parameters }, "the rule"));
   AppendFields<StudyAgglomeration>(table,
     { ChoiceField("metric", &StudyAgglomeration::Metric, NamesOf(Metrics()),
-        "The metric that the rule goes by.")
+        "The metric that the rule goes by; by default the rule's own.")
         .Only(usesMetric, "rules that look at a metric"),
       IntegerField("elements", &StudyAgglomeration::Elements, 0, MostElements,
         "Where to stop; 0: see percentage.")
@@ -142,11 +142,6 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
     if (agglomeration.Elements > 0 && agglomeration.Percentage > 0.0)
     {
       place.Member("percentage").Fail("and elements are both given; say one of them.");
-    }
-    const AgglomerationRule* rule = FindAgglomerationRule(agglomeration.Rule);
-    if (rule && rule->Metric == RuleMetric::WorstFirst && agglomeration.Metric.empty())
-    {
-      place.Member("metric").Fail("is missing: the rule " + agglomeration.Rule + " needs one.");
     }
   };
   return table;

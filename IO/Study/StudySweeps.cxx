@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudySweeps.h"
 
+#include "AgglomerationRules.h"
 #include "DocumentPath.h"
+#include "DomainShapes.h"
+#include "ParameterFields.h"
+#include "PolygonFamilies.h"
 #include "StudyFields.h"
+#include "Tessellations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -57,6 +62,22 @@ std::vector<SweepGroup> GroupSweeps(const Study& study)
     groups.back().Values.push_back(SweepValues(sweep));
   }
   return groups;
+}
+
+/** So that an entry that is swept gets its own defaults and not those of the one in the document.
+ */
+void DropAllDefaults(Study& study)
+{
+  DropDefaults(
+    ParametersOf(EntriesOf(DomainShapes()), study.Domain.Shape), study.Domain.Parameters);
+  DropDefaults(ParametersOf(EntriesOf(Tessellations()), study.Mesh.Source), study.Mesh.Parameters);
+  StudyAgglomeration& agglomeration = study.Mesh.Agglomeration;
+  DropDefaults(
+    ParametersOf(EntriesOf(AgglomerationRules()), agglomeration.Rule), agglomeration.Parameters);
+  for (StudyPolygon& polygon : study.Polygons)
+  {
+    DropDefaults(ParametersOf(EntriesOf(PolygonFamilies()), polygon.Family), polygon.Parameters);
+  }
 }
 
 /** A swept key that does not apply would change nothing, unsaid. */
@@ -132,6 +153,7 @@ Study MakeStudyOfCase(const Study& study, const std::vector<SweptValue>& values)
   {
     return plain;
   }
+  DropAllDefaults(plain);
   JsonValue document = WriteFields(StudyFields(), plain);
   std::string source = "sweep";
   for (const SweptValue& value : values)

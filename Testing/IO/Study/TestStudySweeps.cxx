@@ -140,6 +140,19 @@ TEST(StudySweeps, ChoicesCanBeSweptWhateverElseTheyTake)
   }
 }
 
+TEST(StudySweeps, ASweptSourceHasItsOwnDefaults)
+{
+  const auto cells = [](const std::string& mesh)
+  {
+    const Study study = ParseStudy(R"({"pemesh": 1, "mesh": )" + mesh +
+        R"(, "sweep": [{"parameter": "mesh.source", "values": ["hexagons"]}]})",
+      "s.json");
+    return MakeStudyOfCase(study, SweepCases(study).at(0)).Mesh.Parameters.at(0).second;
+  };
+  EXPECT_EQ(cells(R"({"source": "voronoi"})"), 10.0);
+  EXPECT_EQ(cells(R"({"source": "voronoi", "cells": 23})"), 23.0);
+}
+
 TEST(StudySweeps, AKeyThatDoesNotApplyIsNotSweptInSilence)
 {
   const Study study = With(R"([{"parameter": "domain.shape", "values": ["disc"]},
