@@ -9,9 +9,9 @@
 #include <vtkFieldData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 vtkStandardNewMacro(vtkPEMCaseLabel);
 
@@ -92,7 +92,8 @@ int vtkPEMCaseLabel::RequestData(
   }
   if (!this->FailureStatus.empty() && !pemesh::IsCaseFailed(output))
   {
-    const vtkSmartPointer<vtkFieldData> fields = output->GetFieldData(); // outlives the mesh
+    vtkNew<vtkFieldData> fields; // a copy: Initialize() empties those of the mesh
+    fields->ShallowCopy(output->GetFieldData());
     output->Initialize();
     output->SetFieldData(fields);
     pemesh::SetCaseFailed(output, this->FailureStatus, this->FailureMessage);
