@@ -225,7 +225,7 @@ TessellationResult MakeDistortedQuadrilaterals(const TessellationInput& input)
   // Corners stay in boxes that are apart, so that sides that face each other cannot meet and sides
   // that follow each other cannot fold back; up to 1/4, no box reaches the diagonal of the others.
   const double distortion = input.Values.Get("distortion");
-  RandomNumbers random(input.Values.Get("seed"));
+  RandomNumbers random(static_cast<std::uint64_t>(input.Values.Get("seed")));
   return MoveCorners(input,
     [&](const TilingLattice&, int, int)
     {

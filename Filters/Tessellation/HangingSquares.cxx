@@ -31,7 +31,7 @@ public:
     , Unit(std::int64_t(1) << input.Values.GetInteger("levels"))
     , Share(input.Values.Get("share"))
     , MostLeaves(input.MaximumElements)
-    , Random(input.Values.Get("seed"))
+    , Random(static_cast<std::uint64_t>(input.Values.Get("seed")))
   {
   }
 
@@ -72,7 +72,7 @@ private:
     {
       return;
     }
-    if (leaf.Size == 1 || this->Random.Fraction() >= this->Share)
+    if (leaf.Size == 1 || this->Random.Uniform() >= this->Share)
     {
       for (const std::int64_t row : { leaf.Row, leaf.Row + leaf.Size })
       {

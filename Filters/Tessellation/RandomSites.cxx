@@ -135,13 +135,13 @@ std::string RandomSites(
   const double distance =
     spacing * std::sqrt(2.0 / std::numbers::sqrt3 * DomainArea(domain) / count);
   NeighborSearch neighbors(bounds, count, distance);
-  RandomNumbers random(seed);
+  RandomNumbers random(static_cast<std::uint64_t>(seed));
   sites.clear();
   sites.reserve(static_cast<std::size_t>(count));
   for (int misses = 0; static_cast<int>(sites.size()) < count;)
   {
-    const double x = bounds.Low.x + bounds.Width() * random.Fraction();
-    const double y = bounds.Low.y + bounds.Height() * random.Fraction();
+    const double x = bounds.Low.x + bounds.Width() * random.Uniform();
+    const double y = bounds.Low.y + bounds.Height() * random.Uniform();
     if (locator.Contains({ x, y }) && (spacing == 0.0 || neighbors.IsFree({ x, y }, sites)))
     {
       sites.push_back({ x, y });

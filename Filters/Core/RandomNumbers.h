@@ -26,6 +26,9 @@ public:
 
   double Between(double low, double high) { return low + this->Uniform() * (high - low); }
 
+  /** In [-1, 1). */
+  double Signed() { return 2.0 * this->Uniform() - 1.0; }
+
   /** 0 to count - 1. */
   int Below(int count) { return static_cast<int>(this->Uniform() * count); }
 
