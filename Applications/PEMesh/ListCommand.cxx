@@ -138,11 +138,14 @@ Json DomainsAsJson()
 
 Json SourcesAsJson()
 {
-  Json list = EntriesAsJson(Tessellations());
-  list.insert(list.begin(),
-    { { "name", "triangulation" }, { "label", "Triangulation" },
-      { "description", "Triangles around placed polygons; see the keys of mesh in a study." },
-      { "parameters", Json::array() } });
+  Json list = Json::array();
+  list.push_back({ { "name", "triangulation" }, { "label", "Triangulation" },
+    { "description", "Triangles around placed polygons; see the keys of mesh in a study." },
+    { "parameters", Json::array() } });
+  for (const Json& entry : EntriesAsJson(Tessellations()))
+  {
+    list.push_back(entry);
+  }
   return list;
 }
 

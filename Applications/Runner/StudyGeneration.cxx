@@ -86,6 +86,7 @@ vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
   this->Mesher->SetMinimumAngle(mesh.MinimumAngle);
   this->Mesher->SetPreservePolygons(mesh.PreservePolygons);
   this->Mesher->SetPreserveDomain(mesh.PreserveDomain);
+  this->Mesher->SetMaximumNumberOfElements(mesh.MaximumElements);
   this->Mesher->SetGradation(mesh.Gradation);
   this->Mesher->SetSizeAtPolygons(mesh.SizeAtPolygons);
   return this->Mesher;
@@ -109,6 +110,7 @@ vtkAlgorithm* StudyGeneration::ConfigureTessellation(const Study& study)
   this->ConfigureDomain(study);
   this->Tessellation->SetInputConnection(this->Domain->GetOutputPort());
   this->Tessellation->SetKindByName(study.Mesh.Source);
+  this->Tessellation->SetMaximumNumberOfElements(study.Mesh.MaximumElements);
   for (const auto& [name, value] : study.Mesh.Parameters)
   {
     this->Tessellation->SetParameter(name, value);
@@ -155,11 +157,13 @@ vtkAlgorithm* StudyGeneration::Configure(const Study& study)
   {
     this->Tile->SetNumberOfColumns(study.Mesh.Tile[0]);
     this->Tile->SetNumberOfRows(study.Mesh.Tile[1]);
+    this->Tile->SetMaximumNumberOfElements(study.Mesh.MaximumElements);
     append(this->Tile);
   }
   if (study.Mesh.Mirror > 0)
   {
     this->Mirror->SetNumberOfTimes(study.Mesh.Mirror);
+    this->Mirror->SetMaximumNumberOfElements(study.Mesh.MaximumElements);
     append(this->Mirror);
   }
   if (study.Mesh.Agglomeration.Rule != "none")

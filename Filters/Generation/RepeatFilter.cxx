@@ -33,7 +33,7 @@ std::string WhyUnusable(vtkPolyData* input, const RepeatRequest& request)
     std::pow(request.CopiesEachTime, request.Times);
   return elements > static_cast<double>(request.MaximumNumberOfElements)
     ? "The repeated mesh would have more than " + std::to_string(request.MaximumNumberOfElements) +
-      " elements; repeat it less often or raise MaximumNumberOfElements."
+      " elements; repeat it less often or raise the limit."
     : std::string();
 }
 

@@ -223,6 +223,8 @@ FieldTable<StudyMesh> MeshFields()
       ObjectField("target", &StudyMesh::Target, TargetFields(),
         "Holds a number fixed, so that it does not confound what is swept.")
         .Only(IsTriangulated, which),
+      IntegerField("max-elements", &StudyMesh::MaximumElements, 10, MostElements,
+        "A mesh that would have more is refused before it fills the memory."),
       IntegerField("mirror", &StudyMesh::Mirror, 0, 12,
         "How often the mesh is reflected in x, in y and in both: four times the elements each."),
       TileField(),

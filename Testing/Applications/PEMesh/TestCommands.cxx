@@ -58,7 +58,8 @@ TEST(Commands, ListPrintsEveryTable)
 {
   const std::vector<std::pair<std::string, std::string>> contents = { { "families", "u-like" },
     { "metrics", "KernelAreaRatio" }, { "solvers", "pemesh-vem" }, { "problems", "franke-1979" },
-    { "rules", "shortest-edge" }, { "checks", "t-junctions" } };
+    { "rules", "shortest-edge" }, { "rules", "metis" }, { "checks", "t-junctions" },
+    { "domains", "l-shape" }, { "sources", "triangulation" }, { "sources", "koch" } };
   for (const auto& [what, word] : contents)
   {
     EXPECT_THAT(RunProgram("pemesh", { "list", what }).Output, HasSubstr(word));
@@ -162,6 +163,22 @@ TEST(Commands, SolveThenCorrelateThenPlot)
     EXPECT_EQ(plotted.ExitCode, 0) << plotted.Errors;
     EXPECT_GT(fs::file_size(figure), 1000U);
   }
+}
+
+TEST(Commands, RenderDrawsSeveralMeshesSideBySide)
+{
+  const fs::path folder = FreshFolder("render-several");
+  const std::string maze = Meshes / "Maze2.obj";
+  const auto run = RunProgram("pemesh",
+    { "render", maze, maze, maze, "--columns", "3", "--captions", "one,two,three", "--title",
+      "Mazes", "-o", folder / "mazes.svg" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Errors;
+  const std::string text = FileText(folder / "mazes.svg");
+  EXPECT_THAT(text, HasSubstr("<svg"));
+  const auto wide = RunProgram(
+    "pemesh", { "render", maze, maze, "--captions", "one,two,three", "-o", folder / "x.svg" });
+  EXPECT_EQ(wide.ExitCode, 2);
+  EXPECT_THAT(wide.Errors, HasSubstr("more captions (3) than meshes (2)"));
 }
 
 TEST(Commands, RenderDrawsAMetricThatTheFileDoesNotHold)

@@ -203,6 +203,7 @@ TEST(StudyFile, FormattingWritesEveryDefault)
     "gradation": 0,
     "size-at-polygons": 0,
     "target": {"quantity": "none"},
+    "max-elements": 20000000,
     "mirror": 0,
     "tile": [1, 1],
     "agglomerate": {"rule": "none"}
