@@ -48,6 +48,9 @@ public:
   }
   bool IsGroup(int element) const { return this->Groups[element].Parent == element; }
 
+  /** Has the loop of a group fetched from memory, for those who know what they will ask next. */
+  void Prefetch(int group) const { __builtin_prefetch(&this->Sides[this->Groups[group].First]); }
+
   ///@{
   /** The loop of a group, counter-clockwise: some side of it, and the side after (before) one. */
   int GetFirstSide(int group) const { return this->Groups[group].First; }
