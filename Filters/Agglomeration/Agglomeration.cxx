@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace pemesh
 {
@@ -151,7 +150,8 @@ AgglomerationResult Agglomerate(const PolygonMesh& mesh, const AgglomerationOpti
     ordered = OrderAlongCurve(mesh, adjacency);
   }
   const std::vector<bool> placed = ReorderPlaced(options.Placed, ordered);
-  ElementMerger merger(ordered.Mesh, std::move(ordered.Adjacency));
+  ElementMerger merger(ordered.Mesh, ordered.Adjacency);
+  ordered.Adjacency = {}; // the merger has its own
   AgglomerationState state{ merger, placed, options.KeepPlaced, FindTarget(mesh, options),
     options.TargetElements > 0 || FindPercentage(options) > 0.0, options.Metric, options.Parameters,
     progress, {} };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "DualGraph.h"
 
+#include "SmallPartition.h"
+
 #include <metis.h>
 
 #include <algorithm>
@@ -108,6 +110,56 @@ void ExtractGraph(const DualGraph& graph, const int* nodes, int count, std::vect
   }
 }
 
+using Partitioner =
+  std::function<std::vector<int>(const DualGraph&, int, const std::vector<real_t>&)>;
+
+/**
+ * In two steps: blocks of the given number of parts by one function, the parts of each block by
+ * another.
+ */
+std::vector<int> PartitionInBlocks(const DualGraph& graph, int parts, int partsOfABlock,
+  const Partitioner& makeBlocks,
+  const std::function<std::vector<int>(const DualGraph&, int)>& divideBlock,
+  const std::function<bool(double)>& progress = {})
+{
+  const int blocks = (parts + partsOfABlock - 1) / partsOfABlock;
+  if (blocks <= 1)
+  {
+    return divideBlock(graph, parts);
+  }
+  std::vector<int> firstPart(static_cast<std::size_t>(blocks) + 1);
+  std::vector<real_t> shares(static_cast<std::size_t>(blocks));
+  for (int block = 0; block <= blocks; ++block)
+  {
+    firstPart[block] = static_cast<int>(static_cast<std::int64_t>(parts) * block / blocks);
+  }
+  for (int block = 0; block < blocks; ++block)
+  {
+    shares[block] =
+      static_cast<real_t>(firstPart[block + 1] - firstPart[block]) / static_cast<real_t>(parts);
+  }
+  const NodesByBlock sorted = SortByBlock(makeBlocks(graph, blocks, shares), blocks);
+  std::vector<int> part(static_cast<std::size_t>(graph.NumberOfNodes()));
+  std::vector<int> local(part.size(), -1);
+  DualGraph inner;
+  for (int block = 0; block < blocks; ++block)
+  {
+    if (progress && !progress(static_cast<double>(block + 1) / (blocks + 1)))
+    {
+      return {};
+    }
+    const int* nodes = sorted.Nodes.data() + sorted.First[block];
+    const int count = sorted.First[block + 1] - sorted.First[block];
+    ExtractGraph(graph, nodes, count, local, inner);
+    const std::vector<int> found = divideBlock(inner, firstPart[block + 1] - firstPart[block]);
+    for (int i = 0; i < count; ++i)
+    {
+      part[nodes[i]] = firstPart[block] + found[i];
+    }
+  }
+  return part;
+}
+
 } // namespace
 
 DualGraph MakeDualGraph(ElementMerger& merger, const std::function<bool(int)>& isLeftOut)
@@ -163,44 +215,23 @@ std::vector<int> PartitionByBlocks(
   const DualGraph& graph, int parts, int seed, const std::function<bool(double)>& progress)
 {
   constexpr int PartsOfABlock = 256;
-  const int blocks = (parts + PartsOfABlock - 1) / PartsOfABlock;
-  if (blocks <= 1)
+  // Less than SmallGraphNodes, so that uneven blocks of METIS are small, too.
+  constexpr int NodesOfASmallBlock = 60;
+  const int nodes = std::max(1, graph.NumberOfNodes());
+  const auto partsOfASmallBlock =
+    static_cast<int>(std::int64_t{ NodesOfASmallBlock } * parts / nodes);
+  const auto bisect = [seed](const DualGraph& block, int count, const std::vector<real_t>& shares)
+  { return CallMetis(&METIS_PartGraphRecursive, block, count, seed, shares); };
+  const auto divideSmall = [&bisect](const DualGraph& block, int count)
   {
-    return CallMetis(&METIS_PartGraphRecursive, graph, parts, seed, {});
-  }
-  std::vector<int> firstPart(static_cast<std::size_t>(blocks) + 1);
-  std::vector<real_t> shares(static_cast<std::size_t>(blocks));
-  for (int block = 0; block <= blocks; ++block)
-  {
-    firstPart[block] = static_cast<int>(static_cast<std::int64_t>(parts) * block / blocks);
-  }
-  for (int block = 0; block < blocks; ++block)
-  {
-    shares[block] =
-      static_cast<real_t>(firstPart[block + 1] - firstPart[block]) / static_cast<real_t>(parts);
-  }
-  const NodesByBlock sorted =
-    SortByBlock(CallMetis(&METIS_PartGraphKway, graph, blocks, seed, shares), blocks);
-  std::vector<int> part(static_cast<std::size_t>(graph.NumberOfNodes()));
-  std::vector<int> local(part.size(), -1);
-  DualGraph inner;
-  for (int block = 0; block < blocks; ++block)
-  {
-    if (progress && !progress(static_cast<double>(block + 1) / (blocks + 1)))
-    {
-      return {};
-    }
-    const int* nodes = sorted.Nodes.data() + sorted.First[block];
-    const int count = sorted.First[block + 1] - sorted.First[block];
-    ExtractGraph(graph, nodes, count, local, inner);
-    const std::vector<int> found = CallMetis(
-      &METIS_PartGraphRecursive, inner, firstPart[block + 1] - firstPart[block], seed, {});
-    for (int i = 0; i < count; ++i)
-    {
-      part[nodes[i]] = firstPart[block] + found[i];
-    }
-  }
-  return part;
+    return block.NumberOfNodes() <= SmallGraphNodes ? PartitionSmallGraph(block, count)
+                                                    : bisect(block, count, {});
+  };
+  const auto divide = [&](const DualGraph& block, int count)
+  { return PartitionInBlocks(block, count, std::max(1, partsOfASmallBlock), bisect, divideSmall); };
+  const auto spread = [seed](const DualGraph& whole, int count, const std::vector<real_t>& shares)
+  { return CallMetis(&METIS_PartGraphKway, whole, count, seed, shares); };
+  return PartitionInBlocks(graph, parts, PartsOfABlock, spread, divide, progress);
 }
 
 } // namespace pemesh

@@ -44,10 +44,11 @@ PEMESHFILTERSAGGLOMERATION_EXPORT std::vector<int> PartitionPlainly(
   const DualGraph& graph, int parts, int seed);
 
 /**
- * The same in two steps: first blocks of some hundred parts each, then the parts of every block by
- * recursive bisection (METIS_PartGraphRecursive), which for parts of a few nodes is faster and cuts
- * fewer edges. `progress` gets
- * the fraction done; if it says to stop, the result is empty.
+ * The same in three steps: blocks of some hundred parts each by METIS_PartGraphKway, blocks of so
+ * few parts that a set of their nodes is a machine word by METIS_PartGraphRecursive, and the parts
+ * of those by PartitionSmallGraph: where parts have but a few nodes, most of the time of METIS goes
+ * into its last bisections. Faster, and cuts fewer edges. `progress` gets the fraction done; if it
+ * says to stop, the result is empty.
  */
 PEMESHFILTERSAGGLOMERATION_EXPORT std::vector<int> PartitionByBlocks(
   const DualGraph& graph, int parts, int seed, const std::function<bool(double)>& progress = {});

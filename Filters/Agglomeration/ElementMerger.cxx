@@ -3,45 +3,40 @@
 #include "ElementMerger.h"
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace pemesh
 {
 
-ElementMerger::ElementMerger(const PolygonMesh& mesh, MeshAdjacency adjacency)
+ElementMerger::ElementMerger(const PolygonMesh& mesh, const MeshAdjacency& adjacency)
   : Mesh(mesh)
-  , Twin(std::move(adjacency.Twin))
-  , Element(std::move(adjacency.Element))
-  , Next(mesh.Vertices.size())
-  , Previous(mesh.Vertices.size())
-  , Parent(static_cast<std::size_t>(mesh.NumberOfElements()))
-  , First(mesh.Offsets.begin(), mesh.Offsets.end() - 1)
-  , Count(Parent.size())
+  , Sides(mesh.Vertices.size())
+  , Groups(static_cast<std::size_t>(mesh.NumberOfElements()))
   , NumberOfGroups(mesh.NumberOfElements())
 {
-  std::iota(this->Parent.begin(), this->Parent.end(), 0);
   std::vector<int> borderFrom(mesh.Points.size(), None);
   for (int element = 0; element < mesh.NumberOfElements(); ++element)
   {
     const int begin = mesh.Offsets[element];
     const int end = mesh.Offsets[element + 1];
-    this->Count[element] = end - begin;
+    this->Groups[element] = { element, begin, end - begin };
     for (int side = begin; side < end; ++side)
     {
-      this->Next[side] = side + 1 == end ? begin : side + 1;
-      this->Previous[this->Next[side]] = side;
-      if (this->Twin[side] < 0)
+      const int twin = adjacency.Twin[side];
+      const int vertex = mesh.Vertices[side];
+      this->Sides[side] = { side + 1 == end ? begin : side + 1, side == begin ? end - 1 : side - 1,
+        twin, twin < 0 ? Border : adjacency.Element[twin], element, vertex };
+      if (twin < 0)
       {
-        borderFrom[mesh.Vertices[side]] = side;
+        borderFrom[vertex] = side;
       }
     }
   }
-  for (std::size_t side = 0; side < this->Twin.size(); ++side)
+  for (Side& side : this->Sides)
   {
-    if (this->Twin[side] < 0)
+    if (side.Twin < 0)
     {
-      this->Twin[side] = -2 - borderFrom[mesh.Vertices[this->Next[side]]];
+      side.Twin = -2 - borderFrom[this->GetVertex(side.Next)];
     }
   }
 }
@@ -49,7 +44,7 @@ ElementMerger::ElementMerger(const PolygonMesh& mesh, MeshAdjacency adjacency)
 void ElementMerger::GetNeighbors(int group, std::vector<int>& neighbors)
 {
   neighbors.clear();
-  const int first = this->First[group];
+  const int first = this->GetFirstSide(group);
   int side = first;
   do
   {
@@ -59,19 +54,19 @@ void ElementMerger::GetNeighbors(int group, std::vector<int>& neighbors)
     {
       neighbors.push_back(neighbor);
     }
-    side = this->Next[side];
+    side = this->GetNextSide(side);
   } while (side != first);
 }
 
 void ElementMerger::GetVertices(int group, std::vector<Point2>& vertices) const
 {
   vertices.clear();
-  const int first = this->First[group];
+  const int first = this->GetFirstSide(group);
   int side = first;
   do
   {
-    vertices.push_back(this->Mesh.Points[this->Mesh.Vertices[side]]);
-    side = this->Next[side];
+    vertices.push_back(this->Mesh.Points[this->GetVertex(side)]);
+    side = this->GetNextSide(side);
   } while (side != first);
 }
 
@@ -80,7 +75,7 @@ bool ElementMerger::IsOnGroup(int side, int group)
 {
   for (int around = this->GetSideAround(side); around != side; around = this->GetSideAround(around))
   {
-    if (this->Find(this->Element[around]) == group)
+    if (this->Find(this->Sides[around].Element) == group)
     {
       return true;
     }
@@ -91,9 +86,9 @@ bool ElementMerger::IsOnGroup(int side, int group)
 bool ElementMerger::FindChain(int a, int b, Chain& chain)
 {
   chain = {};
-  const int first = this->First[a];
+  const int first = this->GetFirstSide(a);
   int side = first;
-  bool wasShared = this->GetGroupAcross(this->Previous[side]) == b;
+  bool wasShared = this->GetGroupAcross(this->GetPreviousSide(side)) == b;
   do
   {
     const bool isShared = this->GetGroupAcross(side) == b;
@@ -107,7 +102,7 @@ bool ElementMerger::FindChain(int a, int b, Chain& chain)
     }
     if (!isShared && wasShared)
     {
-      chain.Last = this->Previous[side];
+      chain.Last = this->GetPreviousSide(side);
     }
     if (!isShared && !wasShared && this->IsOnGroup(side, b)) // a pinch
     {
@@ -115,7 +110,7 @@ bool ElementMerger::FindChain(int a, int b, Chain& chain)
     }
     chain.Length += isShared ? 1 : 0;
     wasShared = isShared;
-    side = this->Next[side];
+    side = this->GetNextSide(side);
   } while (side != first);
   return chain.First != None;
 }
@@ -124,19 +119,19 @@ bool ElementMerger::CanMerge(int a, int b)
 {
   Chain chain;
   return a != b &&
-    (this->Count[a] <= this->Count[b] ? this->FindChain(a, b, chain)
-                                      : this->FindChain(b, a, chain));
+    (this->Groups[a].Count <= this->Groups[b].Count ? this->FindChain(a, b, chain)
+                                                    : this->FindChain(b, a, chain));
 }
 
 void ElementMerger::Link(int before, int after)
 {
-  this->Next[before] = after;
-  this->Previous[after] = before;
+  this->Sides[before].Next = after;
+  this->Sides[after].Previous = before;
 }
 
 int ElementMerger::Merge(int a, int b)
 {
-  if (this->Count[a] > this->Count[b])
+  if (this->Groups[a].Count > this->Groups[b].Count)
   {
     std::swap(a, b);
   }
@@ -146,15 +141,15 @@ int ElementMerger::Merge(int a, int b)
     return None;
   }
   // b walks the chain the other way round.
-  const int afterInB = this->Next[this->Twin[chain.First]];
-  const int beforeInB = this->Previous[this->Twin[chain.Last]];
-  const int beforeInA = this->Previous[chain.First];
-  const int afterInA = this->Next[chain.Last];
+  const int afterInB = this->GetNextSide(this->Sides[chain.First].Twin);
+  const int beforeInB = this->GetPreviousSide(this->Sides[chain.Last].Twin);
+  const int beforeInA = this->GetPreviousSide(chain.First);
+  const int afterInA = this->GetNextSide(chain.Last);
   this->Link(beforeInA, afterInB);
   this->Link(beforeInB, afterInA);
-  this->Parent[a] = b;
-  this->First[b] = afterInB;
-  this->Count[b] += this->Count[a] - 2 * chain.Length;
+  this->Groups[a].Parent = b;
+  this->Groups[b].First = afterInB;
+  this->Groups[b].Count += this->Groups[a].Count - 2 * chain.Length;
   --this->NumberOfGroups;
   return b;
 }
@@ -162,7 +157,7 @@ int ElementMerger::Merge(int a, int b)
 bool ElementMerger::GetUnion(int a, int b, std::vector<Point2>& vertices)
 {
   vertices.clear();
-  if (this->Count[a] > this->Count[b])
+  if (this->Groups[a].Count > this->Groups[b].Count)
   {
     std::swap(a, b);
   }
@@ -172,14 +167,15 @@ bool ElementMerger::GetUnion(int a, int b, std::vector<Point2>& vertices)
     return false;
   }
   const int endInA = chain.First;
-  for (int side = this->Next[chain.Last]; side != endInA; side = this->Next[side])
+  for (int side = this->GetNextSide(chain.Last); side != endInA; side = this->GetNextSide(side))
   {
-    vertices.push_back(this->Mesh.Points[this->Mesh.Vertices[side]]);
+    vertices.push_back(this->Mesh.Points[this->GetVertex(side)]);
   }
-  const int endInB = this->Twin[chain.Last];
-  for (int side = this->Next[this->Twin[chain.First]]; side != endInB; side = this->Next[side])
+  const int endInB = this->Sides[chain.Last].Twin;
+  for (int side = this->GetNextSide(this->Sides[chain.First].Twin); side != endInB;
+       side = this->GetNextSide(side))
   {
-    vertices.push_back(this->Mesh.Points[this->Mesh.Vertices[side]]);
+    vertices.push_back(this->Mesh.Points[this->GetVertex(side)]);
   }
   return true;
 }

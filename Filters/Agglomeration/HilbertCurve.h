@@ -25,14 +25,13 @@ inline std::uint64_t HilbertKey(std::uint32_t x, std::uint32_t y)
     const std::uint32_t upper = (y >> level) & 1U;
     // Quadrants in the order lower left, upper left, upper right, lower right.
     key = key << 2 | ((3U * right) ^ upper);
-    if (upper == 0)
-    {
-      // The first and the last quadrant hold the curve mirrored in a diagonal.
-      const std::uint32_t flip = right == 1 ? Mask : 0U;
-      const std::uint32_t mirrored = x ^ flip;
-      x = y ^ flip;
-      y = mirrored;
-    }
+    // The first and the last quadrant hold the curve mirrored in a diagonal. Without a branch,
+    // which would be mispredicted every other time.
+    const std::uint32_t isMirrored = upper - 1U; // all bits, or none
+    const std::uint32_t swapped = (x ^ y) & isMirrored;
+    const std::uint32_t flipped = (0U - right) & isMirrored & Mask;
+    x ^= swapped ^ flipped;
+    y ^= swapped ^ flipped;
   }
   return key;
 }

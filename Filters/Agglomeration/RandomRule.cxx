@@ -3,9 +3,12 @@
 #include "AgglomerationState.h"
 #include "RuleFunctions.h"
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
 #include <random>
+#include <vector>
 
 namespace pemesh
 {
@@ -43,40 +46,71 @@ public:
       this->Waiting.clear();
       while (!this->Candidates.empty() && !this->State.IsDone())
       {
-        if (!this->State.GoesOn())
+        this->DrawBatch();
+        for (std::size_t i = 0; i < this->Batch.size() && !this->State.IsDone(); ++i)
         {
-          return false;
+          if (!this->State.GoesOn())
+          {
+            return false;
+          }
+          merged = this->MergeOne(this->Batch[i]) || merged;
         }
-        merged = this->MergeOne() || merged;
       }
     }
     return true;
   }
 
 private:
-  /** A random candidate merges with a random neighbour; a longer common boundary counts more. */
-  bool MergeOne()
+  /**
+   * Takes some random candidates out. Each is somewhere else in memory, and they are fetched
+   * together: one by one, waiting for memory takes most of the time. A batch is so small a share
+   * that it is as good as drawing one after the other.
+   */
+  void DrawBatch()
+  {
+    constexpr std::size_t Largest = 64;
+    constexpr std::size_t Share = 256;
+    const std::size_t count =
+      std::clamp(this->Candidates.size() / Share, std::size_t{ 1 }, Largest);
+    this->Batch.clear();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      int& chosen = this->Candidates[static_cast<std::size_t>(
+        RandomBelow(this->Engine, static_cast<int>(this->Candidates.size())))];
+      this->Batch.push_back(chosen);
+      chosen = this->Candidates.back();
+      this->Candidates.pop_back();
+    }
+    std::erase_if(this->Batch, [this](int group) { return !this->State.Merger.IsGroup(group); });
+    for (const int group : this->Batch)
+    {
+      this->State.Merger.Prefetch(group);
+    }
+  }
+
+  /** Merges with a random neighbour; a longer common boundary counts more. */
+  bool MergeOne(int group)
   {
     ElementMerger& merger = this->State.Merger;
-    const auto chosen = static_cast<std::size_t>(
-      RandomBelow(this->Engine, static_cast<int>(this->Candidates.size())));
-    const int group = this->Candidates[chosen];
-    if (merger.IsGroup(group) && !this->State.IsKept(group))
+    if (!merger.IsGroup(group) || this->State.IsKept(group))
     {
-      int side = merger.GetFirstSide(group);
-      for (int i = RandomBelow(this->Engine, merger.GetNumberOfSides(group)); i > 0; --i)
-      {
-        side = merger.GetNextSide(side);
-      }
-      if (this->MergeAcrossSome(group, side))
-      {
-        return true; // the group, merged, stays a candidate if it kept its name
-      }
-      this->Waiting.push_back(group);
+      return false;
     }
-    this->Candidates[chosen] = this->Candidates.back();
-    this->Candidates.pop_back();
-    return false;
+    int side = merger.GetFirstSide(group);
+    for (int i = RandomBelow(this->Engine, merger.GetNumberOfSides(group)); i > 0; --i)
+    {
+      side = merger.GetNextSide(side);
+    }
+    if (!this->MergeAcrossSome(group, side))
+    {
+      this->Waiting.push_back(group);
+      return false;
+    }
+    if (merger.IsGroup(group)) // or else the neighbour gave the name, which is listed already
+    {
+      this->Candidates.push_back(group);
+    }
+    return true;
   }
 
   /** Across the given side, or else the next one that can be; each neighbour is tried once. */
@@ -102,6 +136,7 @@ private:
   AgglomerationState& State;
   std::mt19937_64 Engine;
   std::vector<int> Candidates;
+  std::vector<int> Batch;
   std::vector<int> Waiting;
 };
 

@@ -3,13 +3,27 @@
 #include "RoundMerger.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 
 namespace pemesh
 {
 
 const double MergeCriterion::Refused = std::numeric_limits<double>::quiet_NaN();
+
+namespace
+{
+
+/** Two bits behind the leading one: four steps from a number to its double. */
+double CoarseRank(double rank)
+{
+  constexpr int DroppedBits = std::numeric_limits<double>::digits - 1 - 2;
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(rank) >> DroppedBits << DroppedBits);
+}
+
+} // namespace
 
 RoundMerger::RoundMerger(AgglomerationState& state, MergeCriterion& criterion)
   : State(state)
@@ -33,7 +47,7 @@ bool RoundMerger::Run()
   }
   for (this->Round = 1; !this->Active.empty() && !this->State.IsDone(); ++this->Round)
   {
-    std::sort(this->Active.begin(), this->Active.end());
+    this->SortActive();
     if (!this->RunRound())
     {
       return false;
@@ -58,6 +72,21 @@ bool RoundMerger::MeasureElements()
     }
   }
   return true;
+}
+
+/** By rank, of equals along the curve. */
+void RoundMerger::SortActive()
+{
+  const int groups = this->Merger.GetNumberOfGroups();
+  const int mostMerges = std::min(groups / 2, static_cast<int>(this->Active.size()));
+  if (groups - mostMerges > this->State.Target)
+  {
+    for (auto& [rank, group] : this->Active)
+    {
+      rank = CoarseRank(rank);
+    }
+  }
+  std::sort(this->Active.begin(), this->Active.end());
 }
 
 bool RoundMerger::RunRound()

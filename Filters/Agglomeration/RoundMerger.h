@@ -45,6 +45,11 @@ public:
  * bad and gets no better takes one neighbour after the other, and is walked round each time. Only
  * groups that were merged in a round, and their neighbours, can do in the next what they could not
  * do before: the others are not looked at again.
+ *
+ * In a round that cannot reach the target every group has its turn, and the order only says which
+ * of two neighbours chooses first. There ranks are rounded to two bits, and groups of equal rank
+ * come in the order of the curve: what is needed next is near in memory, which halves the time.
+ *
  * Cost: about that of rating each pair of neighbours twice, if no target or bound stops it earlier.
  */
 class RoundMerger
@@ -57,6 +62,7 @@ public:
 
 private:
   bool MeasureElements();
+  void SortActive();
   bool RunRound();
   void MergeWithBest(int group);
   void ListNextRound();

@@ -70,7 +70,7 @@ Input MakeInput(double triangles)
   vtkNew<vtkPEMDomainMesher> mesher;
   mesher->SetInputConnection(layout->GetOutputPort());
   mesher->SetAreaRuleByName("constant");
-  mesher->SetMaximumArea(1.5 / triangles);
+  mesher->SetMaximumArea(0.825 / triangles);
   mesher->UpdateTimeStep(0.5);
   Input input;
   input.Mesh = pemesh::ToPolygonMesh(mesher->GetOutput());

@@ -138,14 +138,16 @@ PolygonMesh TriangleFrame(int size, std::uint64_t seed)
 SampleMesh MeshOfRandomLayout(std::uint64_t seed)
 {
   Random random(seed);
+  // Fixed polygons have no vertices of their own; their families come last.
+  const auto families = static_cast<int>(std::count_if(PolygonFamilies().begin(),
+    PolygonFamilies().end(), [](const PolygonFamily& family) { return !family.IsFixed(); }));
   vtkNew<vtkPEMPolygonLayout> layout;
   const double time = 0.95 * random.Uniform();
   std::vector<Placement> polygons;
   for (int trial = 0; trial < 20 && polygons.size() < 3; ++trial)
   {
-    polygons.push_back(
-      { random.Below(static_cast<int>(PolygonFamilies().size())), 0.1 + 0.8 * random.Uniform(),
-        0.1 + 0.8 * random.Uniform(), 0.3 + 0.7 * random.Uniform(), 360.0 * random.Uniform() });
+    polygons.push_back({ random.Below(families), 0.1 + 0.8 * random.Uniform(),
+      0.1 + 0.8 * random.Uniform(), 0.3 + 0.7 * random.Uniform(), 360.0 * random.Uniform() });
     Place(polygons, layout);
     if (!layout->FindFault(time).empty())
     {

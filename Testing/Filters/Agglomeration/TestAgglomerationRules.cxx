@@ -257,6 +257,34 @@ TEST(AgglomerationRules, QualityMergesTheWorstFirst)
   }
 }
 
+/** Where the target ends a round, near ties do not count: exactly the worst is merged. */
+TEST(AgglomerationRules, QualityMergesExactlyTheWorst)
+{
+  for (const std::uint64_t seed : { 1, 2, 3 })
+  {
+    const PolygonMesh mesh = TriangleGrid(20, 20, seed);
+    AgglomerationOptions options(*FindAgglomerationRule("quality"));
+    options.Metric = FindMetric("AreaPerimeterRatio");
+    options.TargetElements = mesh.NumberOfElements() - 1;
+    const AgglomerationResult result = Agglomerate(mesh, options);
+    int worst = -1;
+    double least = 2.0;
+    ElementGeometry geometry;
+    std::vector<Point2> vertices;
+    for (int element = 0; element < mesh.NumberOfElements(); ++element)
+    {
+      mesh.GetVertices(element, vertices);
+      ASSERT_TRUE(geometry.SetVertices(vertices));
+      const double value = options.Metric->Function(geometry);
+      worst = value < least ? element : worst;
+      least = std::min(value, least);
+    }
+    const std::vector<int> members = CountMembers(result);
+    EXPECT_EQ(
+      members.at(static_cast<std::size_t>(result.Group.at(static_cast<std::size_t>(worst)))), 2);
+  }
+}
+
 /** What merging is for: the worst of the mesh is better than before. */
 TEST(AgglomerationRules, QualityRemovesTheWorst)
 {
