@@ -81,17 +81,19 @@ void DrawFamilyParameters(RandomNumbers& random, Json& study)
   }
 }
 
-/** Mostly star-shaped; one in four is 1e-9 thin. */
+/** Mostly star-shaped; one in four is 1e-9 thin, and convex: between thin spikes there would be
+ * room for millions of triangles. */
 Json DrawPoints(RandomNumbers& random, const Json& polygon)
 {
-  const double thinness = random.OneIn(4) ? 1e-9 : 1.0;
+  const bool isThin = random.OneIn(4);
+  const double thinness = isThin ? 1e-9 : 1.0;
   const double radius = 0.25 * polygon["scale"].get<double>();
   const int count = 3 + random.Integer(10);
   Json points = Json::array();
   for (int i = 0; i < count; ++i)
   {
     const double angle = (i + random.Real(0.0, 0.9)) * 2.0 * std::numbers::pi / count;
-    const double reach = radius * random.Real(0.2, 1.0);
+    const double reach = radius * (isThin ? 1.0 : random.Real(0.2, 1.0));
     points.push_back({ polygon["center"][0].get<double>() + reach * std::cos(angle),
       polygon["center"][1].get<double>() + thinness * reach * std::sin(angle) });
   }
