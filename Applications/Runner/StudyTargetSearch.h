@@ -30,7 +30,8 @@ double CountOfTarget(vtkPolyData* mesh, const StudyTarget& target);
 /**
  * Tries bounds on the area of triangles until the mesh that `makeMesh` makes with one has what the
  * target asks for; the last mesh made is then the one. `area` is that of the domain. `makeMesh`
- * answers with null where there is no mesh: the search ends. Empty if the target is reached or
+ * answers with null where there is no mesh: the search ends. It ends as well where a finer mesh,
+ * once its elements are merged, has no more of what is counted. Empty if the target is reached or
  * there was no mesh, else one sentence.
  */
 std::string SearchTarget(

@@ -2,106 +2,69 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RandomStudy.h"
 
+#include "AgglomerationRules.h"
+#include "DomainShapes.h"
+#include "MetricRegistry.h"
+#include "Tessellations.h"
+
+#include <algorithm>
 #include <array>
-#include <string>
+#include <cmath>
 
 namespace
 {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array Families = { "comb", "convexity", "isotropy", "maze", "n-sided", "star",
-  "u-like", "zeta" };
-
-/** Any family, anywhere: some leave the square or meet others, and are refused. */
-void DrawPolygons(RandomNumbers& random, Json& study)
+/** Any shape, of any size; one in six is from a file. */
+void DrawDomain(RandomNumbers& random, Json& study)
 {
-  study["polygons"] = Json::array();
-  const int count = 1 + random.Integer(4);
-  for (int i = 0; i < count; ++i)
+  Json& domain = study["domain"];
+  if (random.OneIn(6))
   {
-    study["polygons"].push_back(
-      { { "family", Families[static_cast<std::size_t>(random.Integer(Families.size()))] },
-        { "name", "piece-" + std::to_string(i) },
-        { "center", { random.Real(0.15, 0.85), random.Real(0.15, 0.85) } },
-        { "scale", random.Real(0.1, 1.0) / count } });
+    domain = { { "shape", "file" }, { "file", random.OneIn(2) ? "kite.csv" : "holes.csv" } };
+    return;
   }
-}
-
-void DrawCounts(RandomNumbers& random, Json& study)
-{
-  for (Json& polygon : study["polygons"])
+  const bool isSquare = random.OneIn(2);
+  const pemesh::DomainShape& shape =
+    isSquare ? pemesh::DomainShapes()[0] : random.AnyOf(pemesh::DomainShapes());
+  domain = { { "shape", shape.Name } };
+  if (isSquare)
   {
-    const std::string family = polygon["family"];
-    const char* key = family == "comb" ? "teeth"
-      : family == "n-sided"            ? "sides"
-      : family == "star"               ? "spikes"
-                                       : nullptr;
-    if (key && random.OneIn(2))
+    return;
+  }
+  DrawParameters(random, shape.Parameters, domain);
+  const double factor = random.OneIn(8) ? (random.OneIn(2) ? 1e-5 : 1e5) : 1.0;
+  for (const pemesh::Parameter& parameter : shape.Parameters)
+  {
+    const bool isLength = !parameter.IsInteger && parameter.Greatest > 1e5;
+    if (isLength)
     {
-      polygon[key] = 3 + random.Integer(30);
+      domain[parameter.Name] = factor * domain[parameter.Name].get<double>();
     }
   }
 }
 
-/** Right angles bring collinear vertices and equal coordinates. */
-void DrawRotations(RandomNumbers& random, Json& study)
+/** One in four is a tessellation, without polygons. */
+void DrawSource(RandomNumbers& random, Json& study)
 {
-  for (Json& polygon : study["polygons"])
+  study["mesh"] = Json::object();
+  if (random.OneIn(4))
   {
-    polygon["rotation"] = random.OneIn(3) ? 90.0 * random.Integer(4) : random.Real(-360.0, 360.0);
+    const pemesh::Tessellation& tessellation = random.AnyOf(pemesh::Tessellations());
+    study["mesh"]["source"] = tessellation.Name;
+    DrawParameters(random, tessellation.Parameters, study["mesh"]);
   }
-}
-
-void DrawRanges(RandomNumbers& random, Json& study)
-{
-  for (Json& polygon : study["polygons"])
-  {
-    if (random.OneIn(3))
-    {
-      polygon["from"] = random.Real(0.0, 1.0);
-      polygon["to"] = random.Real(0.0, 1.0);
-    }
-  }
-}
-
-/** The ends too, where families degenerate. */
-void DrawSweep(RandomNumbers& random, Json& study)
-{
-  Json values = Json::array();
-  for (int i = 0; i < 2; ++i)
-  {
-    values.push_back(random.OneIn(8) ? 1.0 * random.Integer(2) : random.Real(0.0, 1.0));
-  }
-  study["sweep"] = { { { "parameter", "t" }, { "values", values } } };
 }
 
 void DrawArea(RandomNumbers& random, Json& study)
 {
   const int rule = random.Integer(4);
-  if (rule == 0)
+  Json& area = study["mesh"]["max-area"];
+  area = { { "rule", rule == 0 ? "none" : rule == 1 ? "constant" : "diagonal" } };
+  if (rule == 1)
   {
-    study["mesh"]["max-area"] = { { "rule", "none" } };
-  }
-  else if (rule == 1)
-  {
-    study["mesh"]["max-area"] = { { "rule", "constant" }, { "value", random.Real(0.002, 0.2) } };
-  }
-  else if (rule == 2)
-  {
-    study["mesh"]["max-area"] = { { "rule", "diagonal" } };
-  }
-}
-
-/** The shortest edge of most families asks for millions of triangles: this rule has its own
- * polygon. */
-void DrawShortestEdge(RandomNumbers& random, Json& study)
-{
-  if (random.OneIn(8))
-  {
-    study["polygons"] = { { { "family", "n-sided" }, { "name", "piece-0" },
-      { "sides", 4 + random.Integer(8) }, { "scale", random.Real(0.5, 1.5) } } };
-    study["mesh"]["max-area"] = { { "rule", "shortest-edge" } };
+    area["value"] = random.Real(0.002, 0.2) * pemesh::DomainArea(DomainOf(study));
   }
 }
 
@@ -113,26 +76,121 @@ void DrawAngle(RandomNumbers& random, Json& study)
 void DrawPreserve(RandomNumbers& random, Json& study)
 {
   study["mesh"]["preserve-polygons"] = random.OneIn(3);
+  study["mesh"]["preserve-domain"] = random.OneIn(4);
 }
 
-struct Draw
+void DrawGradation(RandomNumbers& random, Json& study)
 {
-  const char* Name;
-  void (*Function)(RandomNumbers& random, Json& study);
+  if (random.OneIn(4))
+  {
+    study["mesh"]["gradation"] = random.Real(0.1, 1.0);
+    study["mesh"]["size-at-polygons"] = random.OneIn(2)
+      ? 0.0
+      : random.Real(0.02, 0.2) * std::sqrt(pemesh::DomainArea(DomainOf(study)));
+  }
+}
+
+/** Some are below what the polygons force, or above what merging leaves, and are refused. */
+void DrawTarget(RandomNumbers& random, Json& study)
+{
+  if (random.OneIn(6))
+  {
+    const int quantity = random.Integer(3);
+    Json& target = study["mesh"]["target"];
+    target = { { "quantity",
+                 quantity == 0     ? "elements"
+                   : quantity == 1 ? "vertices"
+                                   : "dofs" },
+      { "value", 50 + random.Integer(1500) } };
+    if (quantity == 2)
+    {
+      target["order"] = 1 + random.Integer(4);
+    }
+  }
+}
+
+/** What is for triangulations only. */
+template <void (*Function)(RandomNumbers&, Json&)>
+void IfTriangulated(RandomNumbers& random, Json& study)
+{
+  if (IsTriangulated(study))
+  {
+    Function(random, study);
+  }
+}
+
+void DrawRepetition(RandomNumbers& random, Json& study)
+{
+  const int kind = random.Integer(10);
+  if (kind < 2)
+  {
+    study["mesh"]["mirror"] = 1 + random.Integer(1 + kind);
+  }
+  if (kind == 1 || kind == 2)
+  {
+    study["mesh"]["tile"] = { 1 + random.Integer(3), 1 + random.Integer(3) };
+  }
+  else if (kind == 3)
+  {
+    study["mesh"]["tile"] = 2 + random.Integer(2);
+  }
+}
+
+Json DrawMetric(RandomNumbers& random)
+{
+  return random.AnyOf(pemesh::Metrics()).Name;
+}
+
+/** Any rule, with any way to say where to stop. */
+void DrawAgglomeration(RandomNumbers& random, Json& study)
+{
+  if (!random.OneIn(3))
+  {
+    return;
+  }
+  const pemesh::AgglomerationRule& rule = random.AnyOf(pemesh::AgglomerationRules());
+  Json merging = { { "rule", rule.Name } };
+  DrawParameters(random, rule.Parameters, merging);
+  if (rule.Metric == pemesh::RuleMetric::WorstFirst)
+  {
+    merging["metric"] = rule.DefaultMetric;
+  }
+  if (rule.Metric == pemesh::RuleMetric::Weight && random.OneIn(2))
+  {
+    merging["metric"] = DrawMetric(random);
+  }
+  const int stop = random.Integer(3);
+  if (stop == 0)
+  {
+    merging["elements"] = 1 + random.Integer(200);
+  }
+  else if (stop == 1)
+  {
+    merging["percentage"] = random.Real(0.1, 100.0);
+  }
+  merging["keep-polygons"] = !random.OneIn(4);
+  const int straight = random.Integer(3);
+  merging["straight-vertices"] = straight == 0 ? "keep"
+    : straight == 1                            ? "remove-exact"
+                                               : "remove-rounded";
+  study["mesh"]["agglomerate"] = merging;
+}
+
+constexpr std::array FirstDraws = {
+  StudyDraw{ "domain", DrawDomain },
+  StudyDraw{ "source", DrawSource },
+  StudyDraw{ "area", IfTriangulated<DrawArea> },
 };
 
-/** To add one: a function that sets keys, and an entry here; each draws numbers of its own, so
- * that an entry more leaves what the others draw as it was. */
-constexpr std::array Draws = {
-  Draw{ "polygons", DrawPolygons },
-  Draw{ "counts", DrawCounts },
-  Draw{ "rotations", DrawRotations },
-  Draw{ "ranges", DrawRanges },
-  Draw{ "sweep", DrawSweep },
-  Draw{ "area", DrawArea },
-  Draw{ "shortest edge", DrawShortestEdge },
-  Draw{ "angle", DrawAngle },
-  Draw{ "preserve", DrawPreserve },
+/** To add one: a function that sets keys, and an entry here or in the tables of the other files;
+ * each draws numbers of its own, so that an entry more leaves what the others draw as it was. */
+constexpr std::array LastDraws = {
+  StudyDraw{ "angle", IfTriangulated<DrawAngle> },
+  StudyDraw{ "preserve", IfTriangulated<DrawPreserve> },
+  StudyDraw{ "gradation", IfTriangulated<DrawGradation> },
+  StudyDraw{ "target", IfTriangulated<DrawTarget> },
+  StudyDraw{ "repetition", DrawRepetition },
+  StudyDraw{ "agglomeration", DrawAgglomeration },
 };
 
 /** FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo): the same everywhere, unlike std::hash. */
@@ -146,15 +204,81 @@ std::uint64_t HashOf(const std::string& text)
   return hash;
 }
 
+Json DrawInteger(RandomNumbers& random, const pemesh::Parameter& parameter)
+{
+  const bool isSeed = parameter.Default <= 1.0 && parameter.Greatest > 1e9;
+  // Up to the default, which keeps the meshes small.
+  const double most = isSeed ? 1000.0 : std::max(parameter.Default, parameter.Least + 1.0);
+  const double greatest = std::min(most, parameter.Greatest);
+  return static_cast<std::int64_t>(parameter.Least) +
+    random.Integer(static_cast<int>(greatest - parameter.Least) + 1);
+}
+
 } // namespace
 
-nlohmann::ordered_json DrawStudy(std::uint64_t seed)
+Json DrawParameter(RandomNumbers& random, const pemesh::Parameter& parameter)
+{
+  if (parameter.IsInteger)
+  {
+    return DrawInteger(random, parameter);
+  }
+  const double width = parameter.Greatest - parameter.Least;
+  if (width <= 10.0)
+  {
+    return random.OneIn(8) ? parameter.Least
+      : random.OneIn(8)    ? parameter.Greatest
+                           : random.Real(parameter.Least, parameter.Greatest);
+  }
+  if (parameter.Default == 0.0)
+  {
+    return random.OneIn(2) ? 0.0 : random.Real(0.0, 0.5);
+  }
+  return std::clamp(
+    parameter.Default * std::exp2(random.Real(-2.0, 2.0)), parameter.Least, parameter.Greatest);
+}
+
+void DrawParameters(
+  RandomNumbers& random, std::span<const pemesh::Parameter> parameters, Json& object)
+{
+  for (const pemesh::Parameter& parameter : parameters)
+  {
+    object[parameter.Name] = DrawParameter(random, parameter);
+  }
+}
+
+pemesh::Domain DomainOf(const Json& study)
+{
+  const Json& domain = study["domain"];
+  const pemesh::DomainShape* shape = pemesh::FindDomainShape(domain["shape"].get<std::string>());
+  if (!shape)
+  {
+    return DomainOfDrawnFile(domain["file"]);
+  }
+  pemesh::ParameterValues values(shape->Parameters);
+  for (const pemesh::Parameter& parameter : shape->Parameters)
+  {
+    values.Set(parameter.Name, domain.value(parameter.Name, parameter.Default));
+  }
+  return shape->Make(values);
+}
+
+bool IsTriangulated(const Json& study)
+{
+  return !study["mesh"].contains("source");
+}
+
+Json DrawStudy(std::uint64_t seed)
 {
   Json study = { { "pemesh", 1 }, { "name", "random" } };
-  for (const Draw& draw : Draws)
+  const std::span<const StudyDraw> tables[] = { FirstDraws, PolygonDraws(), LastDraws,
+    SweepDraws() };
+  for (const std::span<const StudyDraw>& table : tables)
   {
-    RandomNumbers random(HashOf(draw.Name) ^ (seed * 0x9E3779B97F4A7C15U));
-    draw.Function(random, study);
+    for (const StudyDraw& draw : table)
+    {
+      RandomNumbers random(HashOf(draw.Name) ^ (seed * 0x9E3779B97F4A7C15U));
+      draw.Function(random, study);
+    }
   }
   return study;
 }

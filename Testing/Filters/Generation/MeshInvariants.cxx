@@ -239,7 +239,7 @@ PolygonVertices VerticesOf(vtkPolyData* mesh, int cell)
   return vertices;
 }
 
-std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain)
+std::string WhyNotPolygons(vtkPolyData* mesh)
 {
   if (mesh->GetNumberOfCells() == 0 || mesh->GetPoints()->GetDataType() != VTK_DOUBLE)
   {
@@ -249,21 +249,13 @@ std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain)
   {
     return "some cells are not polygons";
   }
-  std::string arrays = WhyArraysAreWrong(mesh);
-  if (!arrays.empty())
-  {
-    return arrays;
-  }
-  Rational sum = 0;
   std::vector<bool> used(mesh->GetNumberOfPoints(), false);
   for (int cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    const PolygonVertices vertices = VerticesOf(mesh, cell);
-    if (!IsSimpleAndCounterClockwise(vertices))
+    if (!IsSimpleAndCounterClockwise(VerticesOf(mesh, cell)))
     {
       return "element " + std::to_string(cell) + " is not simple and counter-clockwise";
     }
-    sum += Exact(vertices).area();
     for (const vtkIdType id : IdsOf(mesh, cell))
     {
       used[id] = true;
@@ -279,8 +271,30 @@ std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain)
     }
   }
   EdgeMap edges;
-  const std::string twice = CollectEdges(mesh, edges);
-  return twice.empty() ? WhyNotTheDomain(mesh, edges, domain, sum) : twice;
+  return CollectEdges(mesh, edges);
+}
+
+std::string WhyNotACover(vtkPolyData* mesh, const pemesh::Domain& domain)
+{
+  const std::string why = WhyNotPolygons(mesh);
+  if (!why.empty())
+  {
+    return why;
+  }
+  Rational sum = 0;
+  for (int cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    sum += Exact(VerticesOf(mesh, cell)).area();
+  }
+  EdgeMap edges;
+  CollectEdges(mesh, edges);
+  return WhyNotTheDomain(mesh, edges, domain, sum);
+}
+
+std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain)
+{
+  const std::string why = WhyNotACover(mesh, domain);
+  return why.empty() ? WhyArraysAreWrong(mesh) : why;
 }
 
 std::string WhyNotConstrainedDelaunay(vtkPolyData* mesh)

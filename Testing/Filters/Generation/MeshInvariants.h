@@ -27,12 +27,22 @@ bool IsSimpleAndCounterClockwise(const PolygonVertices& polygon);
 PolygonVertices VerticesOf(vtkPolyData* mesh, int cell);
 
 /**
- * Empty if the mesh is one of the domain: double points, none unused and none twice; all cells
- * polygons, simple and counter-clockwise; every edge is used once in one direction and once in the
- * other, or lies on the border; the border is made of the loops of the domain, with all their
- * vertices (others lie on their edges as nearly as doubles can, exactly on upright and level ones);
- * the areas add up to exactly what the border encloses; `PolygonId` and `ElementFamily` are there
- * and placed polygons come first. Else a sentence.
+ * Empty if the points are double, none unused and none twice, all cells are polygons, simple and
+ * counter-clockwise, and no edge is used twice in one direction. Else a sentence.
+ */
+std::string WhyNotPolygons(vtkPolyData* mesh);
+
+/**
+ * Empty if, besides, the mesh covers the domain once: every edge is used once in one direction and
+ * once in the other, or lies on the border; the border is made of the loops of the domain, with all
+ * their vertices (others lie on their edges as nearly as doubles can, exactly on upright and level
+ * ones); the areas add up to exactly what the border encloses.
+ */
+std::string WhyNotACover(vtkPolyData* mesh, const pemesh::Domain& domain);
+
+/**
+ * Empty if the mesh covers the domain with placed polygons and triangles: `PolygonId` and
+ * `ElementFamily` are there and placed polygons come first. Else a sentence.
  */
 std::string WhyNotAMesh(vtkPolyData* mesh, const pemesh::Domain& domain = pemesh::UnitSquare());
 
