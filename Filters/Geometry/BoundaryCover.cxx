@@ -44,9 +44,13 @@ Bounds CutLine(const Point2& origin, const Point2& direction, const Edge& edge, 
   const auto End = [&](double bound, double side)
   {
     // Of parallels the bound is infinite, or not a number; then max takes the start.
-    const double foot = std::min(std::max(0.0, bound * cosine - sine * height), edge.Length);
+    const double beside = bound * cosine - sine * height;
+    const double foot = std::min(std::max(0.0, beside), edge.Length);
     const double y = height + foot * sine;
-    return along + foot * cosine + side * std::sqrt((radius - y) * (radius + y));
+    const double square = (radius - y) * (radius + y);
+    // Beside the edge it is negative by rounding alone, of almost parallels.
+    return along + foot * cosine +
+      side * std::sqrt(foot == beside ? std::max(0.0, square) : square);
   };
   return { End(middle - half, -1.0), End(middle + half, 1.0) };
 }
@@ -114,9 +118,17 @@ void BoundaryCover::SetPolygon(PolygonView polygon)
     {
       const double inverse = 1.0 / length;
       this->Edges.push_back(
-        { polygon[i] - polygon[0], { along.x * inverse, along.y * inverse }, length });
+        { polygon[i] - polygon[0], { along.x * inverse, along.y * inverse }, length, 0.0, 0.0 });
       this->Scale += 0.5 * length;
     }
+  }
+  const Edge* before = this->Edges.empty() ? nullptr : &this->Edges.back();
+  for (Edge& edge : this->Edges)
+  {
+    edge.Turn = Dot(LeftOf(before->Direction), edge.Direction);
+    const double cosine = Dot(before->Direction, edge.Direction);
+    edge.HalfTurn = cosine < 0.0 ? (1.0 - cosine) / edge.Turn : edge.Turn / (1.0 + cosine);
+    before = &edge;
   }
 }
 
@@ -149,15 +161,12 @@ double BoundaryCover::DistanceFrom(const Point2& point) const
   return least;
 }
 
-/** Whether the polygon turns right at the start of an edge. */
-bool BoundaryCover::IsReflex(std::size_t vertex) const
-{
-  const Edge& before = this->Edges[vertex == 0 ? this->Edges.size() - 1 : vertex - 1];
-  return Dot(LeftOf(before.Direction), this->Edges[vertex].Direction) < 0.0;
-}
-
 bool BoundaryCover::FindFarther(double radius, double tolerance, Point2& point)
 {
+  if (this->Edges.size() < 3)
+  {
+    return false;
+  }
   this->Least = radius - tolerance;
   const std::size_t size = this->Edges.size();
   for (std::size_t i = 0; i < 2 * size; ++i)
@@ -165,7 +174,7 @@ bool BoundaryCover::FindFarther(double radius, double tolerance, Point2& point)
     const std::size_t edge = this->NextCurve / 2;
     const bool found = this->NextCurve % 2 == 0
       ? this->FindOnParallel(edge, radius, point)
-      : this->IsReflex(edge) && this->FindOnArc(edge, radius, point);
+      : this->Edges[edge].Turn < 0.0 && this->FindOnArc(edge, radius, point);
     if (found)
     {
       return true;
@@ -180,16 +189,37 @@ bool BoundaryCover::FindOnParallel(std::size_t index, double radius, Point2& poi
   const Edge& edge = this->Edges[index];
   const Point2 left = LeftOf(edge.Direction);
   const Point2 origin = { edge.Start.x + radius * left.x, edge.Start.y + radius * left.y };
-  Curve curve = { 0.0, edge.Length, index, index };
   const auto Cut = [&](const Edge& other)
   {
     const Bounds bounds = CutLine(origin, edge.Direction, other, radius);
-    this->Shrink(curve, { bounds.Low, bounds.High });
+    this->Shrink({ bounds.Low, bounds.High });
   };
+  // A neighbour at a reflex vertex ends where the curve begins. At another vertex, the curve and
+  // its like of the neighbour meet where both are as far from the vertex, if both are that long.
+  const std::size_t size = this->Edges.size();
+  const std::size_t before = index == 0 ? size - 1 : index - 1;
+  const std::size_t after = index + 1 == size ? 0 : index + 1;
+  this->Rest = { 0.0, edge.Length };
+  this->Intervals.clear();
+  const auto MeetsAsFar = [radius](double turn, double halfTurn, double length)
+  { return radius * std::max(turn, halfTurn) <= length; };
+  const Edge& next = this->Edges[after];
+  const bool closeToStart = MeetsAsFar(edge.Turn, edge.HalfTurn, this->Edges[before].Length);
+  const bool closeToEnd = MeetsAsFar(next.Turn, next.HalfTurn, next.Length);
+  this->Rest.Low = closeToStart ? std::max(0.0, radius * edge.HalfTurn) : 0.0;
+  this->Rest.High -= closeToEnd ? std::max(0.0, radius * next.HalfTurn) : 0.0;
+  if (!closeToStart && this->Rest.Low < this->Rest.High)
+  {
+    Cut(this->Edges[before]);
+  }
+  if (!closeToEnd && this->Rest.Low < this->Rest.High)
+  {
+    Cut(next);
+  }
   const auto Place = [&](double along) {
     return Point2{ origin.x + along * edge.Direction.x, origin.y + along * edge.Direction.y };
   };
-  return !this->IsCovered(curve, Cut) && this->FindInGaps(curve, Place, point);
+  return !this->IsCovered(before, after, size - 3, Cut) && this->FindInGaps(Place, point);
 }
 
 bool BoundaryCover::FindOnArc(std::size_t vertex, double radius, Point2& point)
@@ -203,7 +233,8 @@ bool BoundaryCover::FindOnArc(std::size_t vertex, double radius, Point2& point)
   // An edge that goes back on itself leaves no middle direction but straight on.
   axis =
     length > 1e-12 ? Point2{ axis.x / length, axis.y / length } : this->Edges[before].Direction;
-  Curve curve = { HalfTangent(axis, low), HalfTangent(axis, high), before, vertex };
+  this->Rest = { HalfTangent(axis, low), HalfTangent(axis, high) };
+  this->Intervals.clear();
   const auto Cut = [&](const Edge& other)
   {
     const Arc arc = CutCircle(center, other, radius);
@@ -215,11 +246,11 @@ bool BoundaryCover::FindOnArc(std::size_t vertex, double radius, Point2& point)
     const double last = HalfTangent(axis, arc.High);
     if (first <= last)
     {
-      this->Shrink(curve, { first, last });
+      this->Shrink({ first, last });
       return;
     }
-    this->Shrink(curve, { -Infinity, last }); // opposite to the axis it begins anew
-    this->Shrink(curve, { first, Infinity });
+    this->Shrink({ -Infinity, last }); // opposite to the axis it begins anew
+    this->Shrink({ first, Infinity });
   };
   const auto Place = [&](double tangent)
   {
@@ -229,23 +260,24 @@ bool BoundaryCover::FindOnArc(std::size_t vertex, double radius, Point2& point)
     return Point2{ center.x + along * axis.x - across * axis.y,
       center.y + along * axis.y + across * axis.x };
   };
-  return !this->IsCovered(curve, Cut) && this->FindInGaps(curve, Place, point);
+  return !this->IsCovered(before, vertex, this->Edges.size() - 2, Cut) &&
+    this->FindInGaps(Place, point);
 }
 
-/** Takes an interval off an end of the curve, or keeps it for later. */
-void BoundaryCover::Shrink(Curve& curve, const Interval& interval)
+/** Takes an interval off an end of what is left of the curve, or keeps it for later. */
+void BoundaryCover::Shrink(const Interval& interval)
 {
-  if (!(interval.High >= curve.Low) || !(interval.Low <= curve.High))
+  if (!(interval.High >= this->Rest.Low) || !(interval.Low <= this->Rest.High))
   {
     return;
   }
-  if (interval.Low <= curve.Low)
+  if (interval.Low <= this->Rest.Low)
   {
-    curve.Low = interval.High;
+    this->Rest.Low = interval.High;
   }
-  else if (interval.High >= curve.High)
+  else if (interval.High >= this->Rest.High)
   {
-    curve.High = interval.Low;
+    this->Rest.High = interval.Low;
   }
   else
   {
@@ -253,40 +285,39 @@ void BoundaryCover::Shrink(Curve& curve, const Interval& interval)
   }
 }
 
-/** Cuts by the edges of the polygon, the nearest on the boundary first, until nothing is left. */
+/** Cuts by `count` edges beyond two, the nearest on the boundary first, until nothing is left. */
 template <typename Cut>
-bool BoundaryCover::IsCovered(Curve& curve, Cut&& cut)
+bool BoundaryCover::IsCovered(
+  std::size_t previous, std::size_t next, std::size_t count, const Cut& cut)
 {
-  this->Intervals.clear();
   const std::size_t size = this->Edges.size();
-  std::size_t previous = curve.First;
-  std::size_t next = curve.Last;
-  std::size_t left = size - (curve.First == curve.Last ? 1 : 2);
-  while (left > 0 && curve.Low < curve.High)
+  for (std::size_t i = 0; i < count && this->Rest.Low < this->Rest.High; ++i)
   {
-    previous = previous == 0 ? size - 1 : previous - 1;
-    cut(this->Edges[previous]);
-    if (--left > 0 && curve.Low < curve.High)
+    if (i % 2 == 0)
+    {
+      previous = previous == 0 ? size - 1 : previous - 1;
+      cut(this->Edges[previous]);
+    }
+    else
     {
       next = next + 1 == size ? 0 : next + 1;
       cut(this->Edges[next]);
-      --left;
     }
   }
-  return !(curve.Low < curve.High);
+  return !(this->Rest.Low < this->Rest.High);
 }
 
-/** The middle of a part of the curve that no edge covers, if that is inside the polygon. */
+/** The middle of a part of the curve that no edge covers, if that is far enough inside. */
 template <typename Place>
-bool BoundaryCover::FindInGaps(const Curve& curve, Place&& place, Point2& point)
+bool BoundaryCover::FindInGaps(const Place& place, Point2& point)
 {
   std::sort(this->Intervals.begin(), this->Intervals.end(),
     [](const Interval& a, const Interval& b) { return a.Low < b.Low; });
-  this->Intervals.push_back({ curve.High, curve.High });
-  double low = curve.Low;
+  this->Intervals.push_back({ this->Rest.High, this->Rest.High });
+  double low = this->Rest.Low;
   for (const Interval& interval : this->Intervals)
   {
-    const double high = std::min(interval.Low, curve.High);
+    const double high = std::min(interval.Low, this->Rest.High);
     if (low < high)
     {
       point = place(0.5 * (low + high));

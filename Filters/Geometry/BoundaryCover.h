@@ -32,6 +32,8 @@ public:
     Point2 Start;
     Point2 Direction; // of length one
     double Length;
+    double Turn;     // sine of the turn from the edge before, negative at a reflex vertex
+    double HalfTurn; // tangent of half of it
   };
 
   /** A counter-clockwise simple polygon; edges without length are left out. */
@@ -61,28 +63,20 @@ private:
     double Low;
     double High;
   };
-  /** The part of a curve, by a parameter that grows along it, that is not covered yet. */
-  struct Curve
-  {
-    double Low;
-    double High;
-    std::size_t First; ///< the edges that the curve belongs to: not to be asked
-    std::size_t Last;
-  };
 
-  bool IsReflex(std::size_t vertex) const;
   bool FindOnParallel(std::size_t edge, double radius, Point2& point);
   bool FindOnArc(std::size_t vertex, double radius, Point2& point);
   template <typename Cut>
-  bool IsCovered(Curve& curve, Cut&& cut);
+  bool IsCovered(std::size_t previous, std::size_t next, std::size_t count, const Cut& cut);
   template <typename Place>
-  bool FindInGaps(const Curve& curve, Place&& place, Point2& point);
-  void Shrink(Curve& curve, const Interval& interval);
+  bool FindInGaps(const Place& place, Point2& point);
+  void Shrink(const Interval& interval);
 
   double Scale = 0.0;
   double Least = 0.0; // what a point has to be farther than
   std::vector<Edge> Edges;
-  std::vector<Interval> Intervals; // that cover an inner part of the curve
+  Interval Rest{};                 // what is not covered of the curve, by a parameter along it
+  std::vector<Interval> Intervals; // that cover an inner part of that
   std::size_t NextCurve = 0;
 };
 

@@ -57,7 +57,7 @@ void MakeTriangles(double elements, vtkPolyData* mesh)
   vtkNew<vtkPEMDomainMesher> mesher;
   mesher->SetInputData(noPolygons);
   mesher->SetAreaRuleByName("constant");
-  mesher->SetMaximumArea(1.6 / elements);
+  mesher->SetMaximumArea(1.13 / elements); // the mean is below the largest
   mesher->Update();
   mesh->ShallowCopy(mesher->GetOutput());
 }
@@ -73,7 +73,7 @@ void MakeVoronoiCells(double elements, vtkPolyData* mesh)
 
 void MakeAgglomeratedElements(double elements, vtkPolyData* mesh)
 {
-  constexpr double TrianglesOfAnElement = 7.4; // one of k triangles has k + 2 vertices
+  constexpr double TrianglesOfAnElement = 9.0; // which have 9.4 vertices then
   vtkNew<vtkPolyData> triangles;
   MakeTriangles(TrianglesOfAnElement * elements, triangles);
   vtkNew<vtkPEMAgglomerate> agglomerate;
@@ -201,8 +201,8 @@ Timing MeasureAll(vtkPolyData* mesh, int threads, int repetitions)
 double MeasureMemory(vtkPolyData* mesh)
 {
   pemesh::SetNumberOfThreads(1);
-  const double before = Memory("VmRSS");
   ResetPeak();
+  const double before = Memory("VmRSS");
   vtkNew<vtkPEMMetrics> metrics;
   metrics->SetInputData(mesh);
   metrics->Update();
