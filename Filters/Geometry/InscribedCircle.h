@@ -3,26 +3,29 @@
 /**
  * The largest circle inside a simple polygon, convex or not.
  *
- * A triangle has a closed form, and for a convex polygon the circle is the solution of a linear
- * program in three unknowns. Otherwise the distance to the boundary is maximised by branch and
- * bound over triangles that fill the polygon: each carries the edges that can be nearest to one
- * of its points, and is bounded by the linear program of the planes through their distances at
- * its corners (a distance is convex, so it is below that plane; the plane is exact beside an
- * edge). A promising centre is climbed from by Newton's method (the program of the tangent planes,
- * which are below the distances), which ends, to rounding, at a circle that touches three edges
- * or reflex vertices. With k the distance of the origin to the hull of their directions no
- * better point is within 2 k r of it, which ends the search around it. The result is the greatest
- * of all local maxima, to one part in 10^11.
+ * A triangle has a closed form, and for a convex polygon, as for the kernel of any, the circle is
+ * the solution of a linear program in three unknowns (see e.g. S. Boyd, L. Vandenberghe, Convex
+ * Optimization, 2004, section 8.5.1). Otherwise the distance to the boundary has several local
+ * maxima, vertices of the medial axis (F. P. Preparata, The medial axis of a simple polygon, MFCS
+ * 1977, LNCS 53, 443-450). One is climbed to by Newton's method: the distance to each edge is a
+ * convex function of the point, so the highest point below all tangent planes, a linear program
+ * again, is inside the polygon and at least that high. Then BoundaryCover either proves that no
+ * point is farther from the boundary, or finds one, from where the climb goes on.
+ *
+ * Accuracy: the radius is within 1e-11 of itself plus 2e-15 of the perimeter, and the center is
+ * at that distance of the boundary; where several circles are as large, any of them is returned.
+ * Coordinates enter by differences only. Straight vertices change nothing, repeated ones are
+ * ignored, and so are edges of no length. Clockwise polygons have no such circle: the radius is 0.
+ * Cost: O(n) for few vertices in practice, O(n^2) at worst for each of the local maxima passed.
  */
 #ifndef pemesh_InscribedCircle_h
 #define pemesh_InscribedCircle_h
 
+#include "BoundaryCover.h"
 #include "Circle.h"
 #include "SmallLinearProgram.h"
-#include "TriangulatePolygon.h"
 #include "pemeshFiltersGeometryModule.h" // For export macro
 
-#include <array>
 #include <vector>
 
 namespace pemesh
@@ -32,7 +35,7 @@ namespace pemesh
 class PEMESHFILTERSGEOMETRY_EXPORT InscribedCircleFinder
 {
 public:
-  /** The largest circle inside a counter-clockwise simple polygon. */
+  /** The largest circle inside a counter-clockwise simple polygon; NaN below three vertices. */
   Circle Find(PolygonView polygon);
 
   /** The same, where the caller knows whether the polygon is convex. */
@@ -45,76 +48,27 @@ public:
   Circle FindInKernel(PolygonView polygon);
 
 private:
-  struct Edge // all points are relative to the first vertex
-  {
-    Point2 Start;
-    Point2 Direction; // of length one
-    double Length;
-    int Chain; // of edges on almost one line, or -1
-  };
-  struct Chain
-  {
-    Point2 Start;
-    Point2 Direction;
-    double Length;
-    double Deviation; // largest distance of its vertices to the line
-  };
   struct Site // an edge as seen from a point
   {
     double Distance;
     Point2 Away; // unit vector from the nearest point of the edge
-    int Edge;
-  };
-  struct Cell
-  {
-    Point2 Corners[3];
-    double Bound;               // of the distance to the boundary in the cell
-    std::size_t FirstCandidate; // in Candidates: the edges that can be nearest to its points
-    std::size_t CandidateCount;
-    bool Examined; // false for the triangles to start with
-    bool Halved;   // whether a thin cell is to be cut in the middle next
-  };
-  struct Disc // no point of it is better than what is known
-  {
-    Point2 Center;
-    double Radius;
   };
 
-  static bool HasLowerBound(const Cell& a, const Cell& b) { return a.Bound < b.Bound; }
-  Circle FindByBranchAndBound(PolygonView polygon);
-  void SetEdges(PolygonView polygon);
-  void SetChains();
-  void AddChain(std::size_t first, std::size_t count);
-  double Tolerance(double distance) const; // what may be left unproved
-  double Threshold() const;
-  Site See(const Point2& point, int edge) const;
+  void SetPolygon(PolygonView polygon);
+  Circle FindByClimbing(PolygonView polygon);
+  void AddBox(const Point2& middle);
+  double Tolerance() const;
   double SeeAll(const Point2& point, std::vector<Site>& sites) const;
-  void AddTriangles(PolygonView polygon);
-  void Push(const Cell& cell);
-  void Examine(Cell cell);
-  void ClimbIfPromising(const Point2& center, double radius, double distance);
-  double BoundCell(const Cell& cell, double unit);
-  std::array<double, 3> CornerHeights(const Cell& cell, const Site& site) const;
-  bool IsInDisc(const Cell& cell) const;
-  void Split(const Cell& cell);
-  double EndOfNearestEdge(const Cell& cell, const Point2& a, const Point2& b) const;
   void Climb(Point2 point);
   bool ClimbStep(Point2& point, double& distance);
-  void AddDisc(const Point2& point, double distance);
 
-  double Scale = 0.0; // half the perimeter: at least the diameter
-  Circle Best;
-  std::vector<Edge> Edges;
-  std::vector<Chain> Chains;
+  Circle Best; // relative to the first vertex
+  Point2 Low;  // of the bounding box
+  Point2 High;
+  BoundaryCover Boundary;
   std::vector<Site> Sites;
-  std::vector<Site> ClimbSites;
   std::vector<Site> NextSites;
-  std::vector<Cell> Cells; // a heap, the greatest bound first
-  std::vector<int> Candidates;
-  std::vector<Disc> Discs;
-  std::vector<double> Angles;
   SmallLinearProgram Program;
-  PolygonTriangulator Triangulator;
 };
 
 /** The largest circle inside a counter-clockwise simple polygon. */

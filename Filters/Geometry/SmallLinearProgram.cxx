@@ -53,6 +53,16 @@ bool SmallLinearProgram::StartBasis(Basis& basis) const
   return this->Factorize(basis);
 }
 
+/** Whether the last solution is one of these rows, too, with multipliers that are not negative. */
+bool SmallLinearProgram::IsLastBasisFeasible()
+{
+  Basis& basis = this->Last;
+  return this->HasBasis &&
+    *std::max_element(basis.Rows.begin(), basis.Rows.end()) < this->Rows.size() &&
+    this->Factorize(basis) &&
+    *std::min_element(basis.Multipliers.begin(), basis.Multipliers.end()) >= 0.0;
+}
+
 /** Inverts the three rows by cross products; false if they are dependent. */
 bool SmallLinearProgram::Factorize(Basis& basis) const
 {
@@ -136,15 +146,18 @@ bool SmallLinearProgram::Exchange(Basis& basis, std::size_t entering) const
   return this->Factorize(basis);
 }
 
-SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance) const
+SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance, double enough)
 {
   Solution solution;
   solution.Height = std::numeric_limits<double>::infinity();
-  Basis basis;
-  if (this->Sides < 3 || this->Rows.size() <= this->Sides || !this->StartBasis(basis))
+  if (this->Sides < 3 || this->Rows.size() <= this->Sides ||
+    (!this->IsLastBasisFeasible() && !this->StartBasis(this->Last)))
   {
+    this->HasBasis = false;
     return solution;
   }
+  Basis& basis = this->Last;
+  this->HasBasis = true;
   // Degenerate steps could cycle in theory; the cap turns that into an upper bound.
   const std::size_t steps = 30 + this->Rows.size();
   for (std::size_t step = 0; step < steps; ++step)
@@ -155,7 +168,7 @@ SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance) const
       solution.Optimal = true;
       break;
     }
-    if (!this->Exchange(basis, entering))
+    if (solution.Height <= enough || !this->Exchange(basis, entering))
     {
       break;
     }

@@ -32,7 +32,10 @@ public:
     bool Optimal = false; // else Height is an upper bound of the optimum
   };
 
-  /** Forgets region and bounds. */
+  /** Lets the next Solve begin anew, not at the solution of the last one. */
+  void ForgetBasis() { this->HasBasis = false; }
+
+  /** Forgets region and bounds, for similar ones in the same order unless ForgetBasis is called. */
   void Clear();
 
   /** The sides of the region, counter-clockwise: normal . p <= offset, normal of length one. */
@@ -41,8 +44,11 @@ public:
   /** r <= height + slope . p. Add all sides first. */
   void AddBound(double height, const Point2& slope);
 
-  /** Solves to within `tolerance` (absolute, in r). Needs three sides and one bound. */
-  Solution Solve(double tolerance) const;
+  /**
+   * Solves to within `tolerance` (absolute, in r). Stops, not optimal, as soon as the optimum is
+   * known to be at most `enough`. Needs three sides and one bound.
+   */
+  Solution Solve(double tolerance, double enough);
 
 private:
   struct Row // X x + Y y + R r <= C
@@ -60,12 +66,15 @@ private:
   };
 
   bool StartBasis(Basis& basis) const;
+  bool IsLastBasisFeasible();
   bool Factorize(Basis& basis) const;
   std::size_t MostViolated(const Basis& basis, Solution& solution, double tolerance) const;
   bool Exchange(Basis& basis, std::size_t entering) const;
 
   std::vector<Row> Rows;
   std::size_t Sides = 0;
+  Basis Last;
+  bool HasBasis = false;
 };
 
 } // namespace pemesh

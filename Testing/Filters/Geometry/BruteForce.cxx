@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -104,8 +105,14 @@ std::vector<Equation> Features(const std::vector<Vector>& polygon, bool withPoin
     const Real length = std::hypot(b.x - a.x, b.y - a.y);
     const Real nx = -(b.y - a.y) / length;
     const Real ny = (b.x - a.x) / length;
+    if (!(length > 0))
+    {
+      continue;
+    }
     features.push_back({ nx, ny, -1, 0, nx * a.x + ny * a.y });
-    if (withPoints)
+    const Vector& c = polygon[(i + polygon.size() - 1) % polygon.size()];
+    // A circle inside cannot touch a vertex that is not reflex, other than by its edges.
+    if (withPoints && (a.x - c.x) * (b.y - a.y) - (a.y - c.y) * (b.x - a.x) <= 0)
     {
       features.push_back({ 2 * a.x, 2 * a.y, 0, -1, a.x * a.x + a.y * a.y });
     }
@@ -223,14 +230,47 @@ Real BestTouching(const std::vector<Equation>& features, Score&& score)
   return best;
 }
 
-std::vector<Vector> ToReal(PolygonView polygon)
+/** The polygon as extended numbers about its first vertex, times a power of two of size 1. */
+struct RealPolygon
 {
-  std::vector<Vector> result;
+  std::vector<Vector> Vertices;
+  Real Unit = 1;
+};
+
+RealPolygon ToReal(PolygonView polygon)
+{
+  RealPolygon result;
+  Real largest = 0;
   for (const Point2& p : polygon)
   {
-    result.push_back({ Real(p.x) - polygon[0].x, Real(p.y) - polygon[0].y });
+    result.Vertices.push_back({ Real(p.x) - polygon[0].x, Real(p.y) - polygon[0].y });
+    const Vector& last = result.Vertices.back();
+    largest = std::max({ largest, std::abs(last.x), std::abs(last.y) });
+  }
+  result.Unit = largest > 0 ? std::ldexp(Real(1), std::ilogb(largest)) : Real(1);
+  for (Vector& p : result.Vertices)
+  {
+    p = { p.x / result.Unit, p.y / result.Unit };
   }
   return result;
+}
+
+Real Distance(const Vector& p, const Vector& q)
+{
+  return std::hypot(p.x - q.x, p.y - q.y);
+}
+
+/** Half the longest side of a triangle with no acute angle there, else the circumradius. */
+Real EnclosingRadiusOfThree(const Vector& p, const Vector& q, const Vector& r)
+{
+  std::array<Real, 3> sides = { Distance(q, r), Distance(r, p), Distance(p, q) };
+  std::sort(sides.begin(), sides.end());
+  if (sides[0] * sides[0] + sides[1] * sides[1] <= sides[2] * sides[2])
+  {
+    return sides[2] / 2;
+  }
+  const Real cross = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+  return sides[0] * sides[1] * sides[2] / (2 * std::abs(cross));
 }
 
 } // namespace
@@ -279,56 +319,47 @@ double ExactKernelArea(PolygonView polygon)
 
 double BruteEnclosingRadius(PolygonView points)
 {
-  const std::vector<Vector> p = ToReal(points);
-  Real best = INFINITY;
-  const auto Try = [&](const Vector& center, Real radius)
-  {
-    if (radius < best &&
-      std::all_of(p.begin(), p.end(),
-        [&](const Vector& q)
-        { return std::hypot(q.x - center.x, q.y - center.y) <= radius * (1 + 1e-16L); }))
-    {
-      best = radius;
-    }
-  };
+  const RealPolygon real = ToReal(points);
+  const std::vector<Vector>& p = real.Vertices;
+  Real best = 0;
   for (std::size_t i = 0; i < p.size(); ++i)
   {
     for (std::size_t j = i + 1; j < p.size(); ++j)
     {
-      Try({ (p[i].x + p[j].x) / 2, (p[i].y + p[j].y) / 2 },
-        std::hypot(p[i].x - p[j].x, p[i].y - p[j].y) / 2);
       for (std::size_t k = j + 1; k < p.size(); ++k)
       {
-        const Real bx = p[j].x - p[i].x;
-        const Real by = p[j].y - p[i].y;
-        const Real cx = p[k].x - p[i].x;
-        const Real cy = p[k].y - p[i].y;
-        const Real cross = 2 * (bx * cy - by * cx);
-        if (cross != 0)
-        {
-          const Real x = (cy * (bx * bx + by * by) - by * (cx * cx + cy * cy)) / cross;
-          const Real y = (bx * (cx * cx + cy * cy) - cx * (bx * bx + by * by)) / cross;
-          Try({ p[i].x + x, p[i].y + y }, std::hypot(x, y));
-        }
+        best = std::max(best, EnclosingRadiusOfThree(p[i], p[j], p[k]));
       }
     }
   }
-  return static_cast<double>(best);
+  return static_cast<double>(best * real.Unit);
 }
 
 double BruteInscribedRadius(PolygonView polygon)
 {
-  const std::vector<Vector> vertices = ToReal(polygon);
+  const RealPolygon real = ToReal(polygon);
   // Any centre that is inside counts for what it is, so rounding can only lose a little.
-  return static_cast<double>(BestTouching(Features(vertices, true),
-    [&](const Vector& center)
-    { return IsInside(center, vertices) ? DistanceToBoundary(center, vertices) : Real(0); }));
+  const Real best = BestTouching(Features(real.Vertices, true),
+    [&](const Vector& center) {
+      return IsInside(center, real.Vertices) ? DistanceToBoundary(center, real.Vertices) : Real(0);
+    });
+  return static_cast<double>(best * real.Unit);
+}
+
+double BruteDistanceInside(PolygonView polygon, const Point2& point)
+{
+  const RealPolygon real = ToReal(polygon);
+  const Vector center = { (Real(point.x) - polygon[0].x) / real.Unit,
+    (Real(point.y) - polygon[0].y) / real.Unit };
+  const Real distance = DistanceToBoundary(center, real.Vertices);
+  return static_cast<double>((IsInside(center, real.Vertices) ? distance : -distance) * real.Unit);
 }
 
 double BruteKernelRadius(PolygonView polygon)
 {
-  const std::vector<Equation> lines = Features(ToReal(polygon), false);
-  return static_cast<double>(BestTouching(lines,
+  const RealPolygon real = ToReal(polygon);
+  const std::vector<Equation> lines = Features(real.Vertices, false);
+  const Real best = BestTouching(lines,
     [&](const Vector& center)
     {
       Real height = INFINITY;
@@ -337,7 +368,47 @@ double BruteKernelRadius(PolygonView polygon)
         height = std::min(height, line[0] * center.x + line[1] * center.y - line[4]);
       }
       return height;
-    }));
+    });
+  return static_cast<double>(best * real.Unit);
+}
+
+BruteMeasures BruteMeasure(PolygonView polygon)
+{
+  const RealPolygon real = ToReal(polygon);
+  const std::vector<Vector>& p = real.Vertices;
+  Real largest = 0;
+  Real least = INFINITY;
+  Real perimeter = 0;
+  for (std::size_t i = 0; i < p.size(); ++i)
+  {
+    perimeter += Distance(p[i], p[(i + 1) % p.size()]);
+    for (std::size_t j = i + 1; j < p.size(); ++j)
+    {
+      largest = std::max(largest, Distance(p[i], p[j]));
+      least = std::min(least, Distance(p[i], p[j]));
+    }
+  }
+  BruteMeasures result;
+  result.Diameter = static_cast<double>(largest * real.Unit);
+  result.ClosestPair = static_cast<double>(least * real.Unit);
+  result.Perimeter = static_cast<double>(perimeter * real.Unit);
+  result.SmallestAngle = INFINITY;
+  const std::vector<ExactPoint> exact = ToExact(polygon);
+  for (std::size_t i = 0; i < exact.size(); ++i)
+  {
+    const ExactPoint& a = exact[(i + exact.size() - 1) % exact.size()];
+    const ExactPoint& b = exact[i];
+    const ExactPoint& c = exact[(i + 1) % exact.size()];
+    const Rational cross = (c.x - b.x) * (a.y - b.y) - (c.y - b.y) * (a.x - b.x);
+    const Rational dot = (c.x - b.x) * (a.x - b.x) + (c.y - b.y) * (a.y - b.y);
+    // The signs are exact, so that an angle of almost 0 cannot be taken for one of almost 2 pi.
+    const double angle = std::atan2(CGAL::to_double(cross), CGAL::to_double(dot));
+    const double positive = cross < 0 ? angle + 2.0 * std::numbers::pi : angle;
+    result.SmallestAngle = std::min(result.SmallestAngle, positive);
+    result.LargestAngle = std::max(result.LargestAngle, positive);
+    result.Convex = result.Convex && cross >= 0;
+  }
+  return result;
 }
 
 } // namespace pemesh::test

@@ -18,11 +18,29 @@ double ExactArea(PolygonView polygon);
 /** Area of the intersection of all left half planes, clipped in rational numbers. */
 double ExactKernelArea(PolygonView polygon);
 
-/** All pairs and triples of points, in extended precision. */
+/**
+ * The largest smallest circle around three of the points, in extended precision: by E. Helly's
+ * theorem that of all.
+ */
 double BruteEnclosingRadius(PolygonView points);
 
 /** All circles that touch three lines of edges or vertices, in extended precision. */
 double BruteInscribedRadius(PolygonView polygon);
+
+/** The distance of a point to the boundary, negative outside, in extended precision. */
+double BruteDistanceInside(PolygonView polygon, const Point2& point);
+
+/** All pairs in extended precision, the angles with exact signs. */
+struct BruteMeasures
+{
+  double Diameter = 0.0;
+  double ClosestPair = 0.0;
+  double Perimeter = 0.0;
+  double SmallestAngle = 0.0;
+  double LargestAngle = 0.0;
+  bool Convex = true; ///< no vertex turns right
+};
+BruteMeasures BruteMeasure(PolygonView polygon);
 
 /** The greatest r with a point r to the left of all edges, by all triples; 0 if there is none. */
 double BruteKernelRadius(PolygonView polygon);

@@ -1,0 +1,246 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * Every kernel against brute force on random polygons: to 1e-9 of its natural scale, and to 1e-9 of
+ * itself where it exceeds 1e-4 of that. A few hundred polygons every time, 10,000 with
+ * `ctest --preset nightly`.
+ */
+#include "EnclosingCircle.h"
+#include "InscribedCircle.h"
+#include "PointDistances.h"
+#include "PolygonKernel.h"
+#include "PolygonMeasures.h"
+#include "PolygonValidity.h"
+#include "RandomPolygon.h"
+
+#include "BruteForce.h"
+#include "PolygonSamples.h"
+
+#include <gtest/gtest.h>
+
+using namespace pemesh;
+using namespace pemesh::test;
+
+namespace
+{
+
+/** Straight vertices moved off their lines by anything from 1e-16 to 1e-4. */
+Polygon NearlyStraight(Random& random, int size)
+{
+  Polygon polygon = WithHangingVertices(random, Untangled(random, std::max(3, size / 2)));
+  for (Point2& point : polygon)
+  {
+    const double offset = std::pow(10.0, random.Uniform(-16.0, -4.0));
+    point.x += random.Uniform(-offset, offset);
+    point.y += random.Uniform(-offset, offset);
+  }
+  return polygon;
+}
+
+struct PolygonSource
+{
+  const char* Name;
+  Polygon (*Make)(Random& random, int size);
+};
+
+constexpr PolygonSource Sources[] = {
+  { "star-shaped",
+    [](Random& random, int size)
+    { return StarShaped(random, std::max(size, 4), random.Uniform(0.1, 0.95)); } },
+  { "convex",
+    [](Random& random, int size)
+    { return ConvexPolygon(random, std::max(size, 4), random.Uniform(0.05, 1.0)); } },
+  { "untangled", Untangled },
+  { "straight vertices",
+    [](Random& random, int size)
+    { return WithHangingVertices(random, Untangled(random, std::max(3, size / 2))); } },
+  { "convex with straight vertices",
+    [](Random& random, int size)
+    { return WithHangingVertices(random, ConvexPolygon(random, std::max(4, size / 2), 0.7)); } },
+  { "nearly straight vertices", NearlyStraight },
+  { "deformed",
+    [](Random& random, int size)
+    {
+      RandomPolygonOptions options;
+      options.Vertices = size;
+      options.Irregularity = random.Uniform();
+      options.Spikiness = random.Uniform();
+      options.Tangle = random.Uniform();
+      options.Seed = static_cast<std::uint64_t>(random.Integer(0, 1 << 30));
+      return MakeRandomPolygon(options, random.Uniform());
+    } },
+};
+
+/** At one of three scales, turned, at home or far off: all as rounded. */
+Polygon Placed(Random& random, const Polygon& polygon)
+{
+  constexpr double Scales[] = { 1e-9, 1.0, 1e9 };
+  constexpr double Shifts[] = { 0.0, 10.0, 1e4 };
+  const double scale = Scales[random.Integer(0, 2)];
+  const double shift = scale * Shifts[random.Integer(0, 2)];
+  return Transformed(polygon, random.Uniform(0.0, 6.0), scale, { shift, -0.7 * shift });
+}
+
+struct Quantity
+{
+  const char* Name;
+  int Power; ///< of the diameter, its natural scale
+  double (*Kernel)(PolygonView polygon);
+  double (*Expected)(PolygonView polygon); ///< null: only invariances are tested with it
+};
+
+const Quantity Quantities[] = {
+  { "area", 2, SignedArea, ExactArea },
+  { "perimeter", 1, Perimeter, [](PolygonView p) { return BruteMeasure(p).Perimeter; } },
+  { "diameter", 1, Diameter, [](PolygonView p) { return BruteMeasure(p).Diameter; } },
+  { "closest pair", 1, [](PolygonView p) { return ClosestPair(p).Distance; },
+    [](PolygonView p) { return BruteMeasure(p).ClosestPair; } },
+  { "smallest angle", 0, [](PolygonView p) { return MeasureAngles(p).Smallest; },
+    [](PolygonView p) { return BruteMeasure(p).SmallestAngle; } },
+  { "largest angle", 0, [](PolygonView p) { return MeasureAngles(p).Largest; },
+    [](PolygonView p) { return BruteMeasure(p).LargestAngle; } },
+  { "enclosing radius", 1, [](PolygonView p) { return SmallestEnclosingCircle(p).Radius; },
+    BruteEnclosingRadius },
+  { "kernel area", 2, [](PolygonView p) { return SignedArea(PolygonKernel(p)); }, ExactKernelArea },
+  { "kernel radius", 1, [](PolygonView p) { return LargestCircleInKernel(p).Radius; },
+    BruteKernelRadius },
+  { "inscribed radius", 1, [](PolygonView p) { return LargestInscribedCircle(p).Radius; },
+    [](PolygonView p)
+    {
+      // A circle that is proved to be inside, if it is larger than all that were tried.
+      const Circle circle = LargestInscribedCircle(p);
+      return std::max(BruteInscribedRadius(p), BruteDistanceInside(p, circle.Center));
+    } },
+};
+
+/** 1e-9 of the natural scale; of the value where that exceeds 1e-4 of the scale. */
+double Allowed(double expected, int power, double diameter)
+{
+  const double scale = std::pow(diameter, power);
+  return 1e-9 * (std::abs(expected) > 1e-4 * scale ? std::abs(expected) : scale);
+}
+
+struct Sample
+{
+  std::string Name;
+  Polygon Vertices;
+};
+
+Sample MakeSample(int number)
+{
+  Random random(static_cast<std::uint64_t>(number) + 1000);
+  const PolygonSource& source = Sources[static_cast<std::size_t>(number) % std::size(Sources)];
+  const int size = random.Integer(3, 60);
+  Sample sample;
+  sample.Vertices = Placed(random, source.Make(random, size));
+  sample.Name = std::string(source.Name) + " " + std::to_string(number) + " of " +
+    std::to_string(sample.Vertices.size()) + " vertices";
+  return sample;
+}
+
+class Exactness : public testing::TestWithParam<int>
+{
+protected:
+  static constexpr int PartSize = PEMESH_EXACTNESS_PART;
+  int First() const { return this->GetParam() * PartSize; }
+  int Last() const { return this->First() + PartSize; }
+};
+
+std::vector<double> MeasureAll(PolygonView polygon)
+{
+  std::vector<double> values;
+  for (const Quantity& quantity : Quantities)
+  {
+    values.push_back(quantity.Kernel(polygon));
+  }
+  return values;
+}
+
+/** That the kernels of an image are those of the polygon, times the factor of lengths. */
+void ExpectSame(const std::vector<double>& expected, const Polygon& image, double factor,
+  double diameter, const std::string& name)
+{
+  const std::vector<double> values = MeasureAll(image);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const int power = Quantities[i].Power;
+    EXPECT_NEAR(
+      values[i] / std::pow(factor, power), expected[i], Allowed(expected[i], power, diameter))
+      << Quantities[i].Name << " of " << name;
+  }
+}
+
+} // namespace
+
+TEST_P(Exactness, KernelsAgreeWithBruteForce)
+{
+  int tested = 0;
+  for (int number = this->First(); number < this->Last(); ++number)
+  {
+    const Sample sample = MakeSample(number);
+    if (!IsSimple(sample.Vertices))
+    {
+      continue; // straight vertices as rounded can cross in a sharp corner
+    }
+    ++tested;
+    const double diameter = Diameter(sample.Vertices);
+    for (const Quantity& quantity : Quantities)
+    {
+      const double expected = quantity.Expected(sample.Vertices);
+      EXPECT_NEAR(
+        quantity.Kernel(sample.Vertices), expected, Allowed(expected, quantity.Power, diameter))
+        << quantity.Name << " of " << sample.Name;
+    }
+    EXPECT_EQ(IsConvex(sample.Vertices), BruteMeasure(sample.Vertices).Convex) << sample.Name;
+    EXPECT_EQ(PolygonOrientation(sample.Vertices), 1) << sample.Name;
+    EXPECT_FALSE(HasCrossingEdges(sample.Vertices)) << sample.Name;
+  }
+  EXPECT_GE(tested, PartSize * 9 / 10);
+}
+
+TEST_P(Exactness, KernelsAreInvariant)
+{
+  for (int number = this->First(); number < this->Last(); ++number)
+  {
+    const Sample sample = MakeSample(number);
+    const Polygon& polygon = sample.Vertices;
+    const double diameter = Diameter(polygon);
+    // What the image is rounded by must not be what is measured.
+    if (!IsSimple(polygon) || ClosestPair(polygon).Distance < 1e-3 * diameter)
+    {
+      continue;
+    }
+    const std::vector<double> expected = MeasureAll(polygon);
+    const Point2 home = { -polygon[0].x, -polygon[0].y };
+    const Polygon atHome = Transformed(polygon, 0.0, 1.0, home);
+    const auto Expect = [&](const Polygon& image, double factor, const char* what)
+    {
+      if (IsSimple(image))
+      {
+        ExpectSame(expected, image, factor, diameter, sample.Name + what);
+      }
+    };
+    Expect(atHome, 1.0, " moved to the origin");
+    Expect(Transformed(atHome, 0.0, 1.0, { 3.0 * diameter, diameter }), 1.0, " moved");
+    Expect(Transformed(atHome, 0.4 + number, 1.0, {}), 1.0, " rotated");
+    for (const double factor : { 1e-9, 0.3, 1e9 })
+    {
+      Expect(Transformed(atHome, 0.0, factor, {}), factor, " scaled");
+    }
+    Polygon shifted = polygon;
+    std::rotate(shifted.begin(), shifted.begin() + 1 + number % 2, shifted.end());
+    Expect(shifted, 1.0, " from another vertex on");
+    Polygon mirrored(atHome.rbegin(), atHome.rend());
+    EXPECT_EQ(PolygonOrientation(mirrored), -1) << sample.Name;
+    EXPECT_NEAR(SignedArea(mirrored), -expected[0], 1e-9 * expected[0]) << sample.Name;
+    for (Point2& point : mirrored)
+    {
+      point.x = -point.x;
+    }
+    Expect(mirrored, 1.0, " in a mirror, reversed");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Random, Exactness,
+  testing::Range(0, PEMESH_EXACTNESS_POLYGONS / PEMESH_EXACTNESS_PART),
+  [](const testing::TestParamInfo<int>& part) { return "Part" + std::to_string(part.param); });
