@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshSurroundings.h"
 
+#include "CompensatedSum.h"
 #include "CornerMeasures.h"
 
 #include <algorithm>
@@ -106,16 +107,12 @@ int MeshNeighbours::CountHangingVertices(vtkIdType element, double distance) con
 
 double MeshNeighbours::GetBoundaryLength() const
 {
-  double sum = 0.0;
-  double error = 0.0; // as in the means: see ValueStatistics
+  CompensatedSum sum;
   for (int element = 0; element < this->Mesh.NumberOfElements(); ++element)
   {
-    const double value = this->GetBorderLength(element);
-    const double next = sum + value;
-    error += std::abs(sum) >= std::abs(value) ? (sum - next) + value : (value - next) + sum;
-    sum = next;
+    sum.Add(this->GetBorderLength(element));
   }
-  return sum + error;
+  return sum.Get();
 }
 
 vtkIdType MeshNeighbours::CountEdges() const
