@@ -54,6 +54,20 @@ Json FamiliesAsJson()
   return list;
 }
 
+/** The words of --only that a metric is part of. */
+Json CollectionsOf(const Metric& metric)
+{
+  Json names = Json::array();
+  for (const MetricCollection& collection : MetricCollections())
+  {
+    if (collection.Contains(metric))
+    {
+      names.push_back(collection.Name);
+    }
+  }
+  return names;
+}
+
 Json MetricsAsJson()
 {
   Json list = Json::array();
@@ -62,9 +76,12 @@ Json MetricsAsJson()
     const char* good = metric.Good > 0 ? "up" : metric.Good < 0 ? "down" : "none";
     list.push_back(
       { { "name", metric.Name }, { "symbol", metric.Symbol }, { "label", metric.Label },
-        { "formula", metric.Formula }, { "description", metric.Description },
+        { "formula", metric.Formula }, { "tex", metric.Tex }, { "description", metric.Description },
         { "range", metric.Range }, { "good", good }, { "scale-invariant", metric.ScaleInvariant },
-        { "unit", metric.Unit }, { "reference", metric.Reference } });
+        { "rotation-invariant", metric.RotationInvariant }, { "unit", metric.Unit },
+        { "reference", metric.Reference }, { "needs", DescribeNeeds(metric.Needs) },
+        { "alias", metric.Alias }, { "collections", CollectionsOf(metric) },
+        { "test", MetricTest(metric) } });
   }
   return list;
 }

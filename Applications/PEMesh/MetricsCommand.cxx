@@ -6,7 +6,7 @@
 #include "CaseStatus.h"
 #include "Commands.h"
 #include "CsvTable.h"
-#include "MetricRegistry.h"
+#include "MetricSelection.h"
 #include "TableRows.h"
 #include "Terminal.h"
 #include "vtkPEMMeshReader.h"
@@ -43,17 +43,6 @@ struct MetricsArguments
   std::vector<std::string> Only;
 };
 
-void CheckMetricNames(const std::vector<std::string>& names)
-{
-  for (const std::string& name : names)
-  {
-    if (!FindMetric(name))
-    {
-      throw std::runtime_error(DescribeUnknownMetric(name));
-    }
-  }
-}
-
 /** One row an element: its number, vertices and metrics. */
 vtkSmartPointer<vtkTable> MakeCellTable(vtkPolyData* mesh)
 {
@@ -78,7 +67,11 @@ vtkSmartPointer<vtkTable> MakeCellTable(vtkPolyData* mesh)
 
 int Measure(const MetricsArguments& arguments)
 {
-  CheckMetricNames(arguments.Only);
+  const std::string unknown = WhyUnknownMetric(arguments.Only);
+  if (!unknown.empty())
+  {
+    throw std::runtime_error(unknown);
+  }
   vtkNew<vtkPEMMeshReader> reader;
   reader->SetFileNames(arguments.Meshes);
   vtkNew<vtkPEMMetrics> metrics;
@@ -131,7 +124,9 @@ void AddMetricsCommand(CLI::App& program, int& exitCode)
   metrics->add_option(
     "-o,--output", measure->Output, "Table to write (.csv; default: standard output)");
   metrics->add_option("--cells", measure->Cells, "Folder for a table a mesh, one row an element");
-  metrics->add_option("--only", measure->Only, "Names of metrics, with commas (default: all)")
+  metrics
+    ->add_option("--only", measure->Only,
+      "Names of metrics, with commas, or all, neighbourhood, jumps, solver (default: all)")
     ->delimiter(',');
   metrics->callback([measure, &exitCode] { exitCode = Measure(*measure); });
 }

@@ -151,7 +151,7 @@ std::vector<std::string> vtkPEMAgglomerate::GetParameterNames() const
 
 void vtkPEMAgglomerate::SetMetric(const std::string& name)
 {
-  if (!name.empty() && !pemesh::FindMetric(name))
+  if (!name.empty() && !pemesh::FindElementMetric(name))
   {
     vtkErrorMacro(<< pemesh::DescribeUnknownMetric(name));
     return;
@@ -190,7 +190,7 @@ int vtkPEMAgglomerate::RequestData(vtkInformation* vtkNotUsed(request),
   options.Parameters = this->Internal->Parameters;
   if (!this->Internal->Metric.empty())
   {
-    options.Metric = pemesh::FindMetric(this->Internal->Metric);
+    options.Metric = pemesh::FindElementMetric(this->Internal->Metric);
   }
   options.TargetElements = this->TargetNumberOfElements;
   options.TargetPercentage = this->TargetPercentage;

@@ -173,4 +173,47 @@ double ElementGeometry::GetKernelRadius()
   return this->KernelRadius;
 }
 
+const CornerShapes& ElementGeometry::GetCorners()
+{
+  if (this->Want(NeedsCorners))
+  {
+    this->Corners = MeasureCorners(this->Vertices);
+  }
+  return this->Corners;
+}
+
+double ElementGeometry::GetSideRatio()
+{
+  if (this->Want(NeedsSides))
+  {
+    this->SideRatio = SmallestSideRatio(this->Vertices, StraightTolerance * this->GetDiameter());
+  }
+  return this->SideRatio;
+}
+
+double ElementGeometry::GetBoxArea()
+{
+  if (this->Want(NeedsBox))
+  {
+    Point2 low = this->Vertices.front();
+    Point2 high = low;
+    for (const Point2& vertex : this->Vertices)
+    {
+      low = { std::min(low.x, vertex.x), std::min(low.y, vertex.y) };
+      high = { std::max(high.x, vertex.x), std::max(high.y, vertex.y) };
+    }
+    this->BoxArea = (high.x - low.x) * (high.y - low.y);
+  }
+  return this->BoxArea;
+}
+
+const StiffnessMeasures& ElementGeometry::GetStiffness()
+{
+  if (this->Want(NeedsStiffness))
+  {
+    this->Stiffness = MeasureStiffness(this->Vertices);
+  }
+  return this->Stiffness;
+}
+
 } // namespace pemesh

@@ -9,10 +9,12 @@
 #ifndef pemesh_ElementGeometry_h
 #define pemesh_ElementGeometry_h
 
+#include "CornerMeasures.h"
 #include "InscribedCircle.h"
 #include "PointDistances.h"
 #include "PolygonKernel.h"
 #include "PolygonMeasures.h"
+#include "StiffnessMeasures.h"
 #include "pemeshFiltersMetricsModule.h" // For export macro
 
 #include <vector>
@@ -51,6 +53,12 @@ public:
   /** 0 where the element is not star-shaped. */
   double GetKernelArea();
   double GetKernelRadius();
+  const CornerShapes& GetCorners();
+  /** See SmallestSideRatio. */
+  double GetSideRatio();
+  /** Area of the axis-parallel bounding box. */
+  double GetBoxArea();
+  const StiffnessMeasures& GetStiffness();
 
 private:
   bool IsTriangle() const { return this->Vertices.size() == 3; }
@@ -72,6 +80,10 @@ private:
   double InscribedRadius = 0.0;
   double KernelArea = 0.0;
   double KernelRadius = 0.0;
+  CornerShapes Corners;
+  double SideRatio = 0.0;
+  double BoxArea = 0.0;
+  StiffnessMeasures Stiffness;
 
   PolygonKernelClipper KernelClipper;
   InscribedCircleFinder CircleFinder;

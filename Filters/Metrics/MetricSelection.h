@@ -8,18 +8,33 @@
 
 #include "MetricRegistry.h"
 
+#include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pemesh
 {
+
+/** The collection of that name; null if there is none. */
+inline const MetricCollection* FindMetricCollection(std::string_view name)
+{
+  for (const MetricCollection& collection : MetricCollections())
+  {
+    if (name == collection.Name)
+    {
+      return &collection;
+    }
+  }
+  return nullptr;
+}
 
 /** Empty if all names are known, else one sentence about the first that is not. */
 inline std::string WhyUnknownMetric(const std::vector<std::string>& names)
 {
   for (const std::string& name : names)
   {
-    if (!FindMetric(name))
+    if (!FindMetric(name) && !FindMetricCollection(name))
     {
       return DescribeUnknownMetric(name);
     }
@@ -27,19 +42,20 @@ inline std::string WhyUnknownMetric(const std::vector<std::string>& names)
   return {};
 }
 
-/** The metrics named, each once, in the order of the registry. */
+/** The metrics named, also by alias or collection, each once, in the order of the registry. */
 inline std::vector<const Metric*> SelectMetrics(const std::vector<std::string>& names)
 {
   std::vector<const Metric*> selected;
   for (const Metric& metric : Metrics())
   {
-    for (const std::string& name : names)
+    const auto isMeant = [&metric](const std::string& name)
     {
-      if (name == metric.Name)
-      {
-        selected.push_back(&metric);
-        break;
-      }
+      const MetricCollection* collection = FindMetricCollection(name);
+      return collection ? collection->Contains(metric) : FindMetric(name) == &metric;
+    };
+    if (std::ranges::any_of(names, isMeant))
+    {
+      selected.push_back(&metric);
     }
   }
   return selected;

@@ -7,15 +7,20 @@
  * Input port 0 : vtkPolyData, a mesh, measured (vtkPEMMetrics) and perhaps solved.
  * Output port 0: vtkTable of one row, always, with the columns
  *   Mesh [text] its name; each parameter of the case (field list "Parameters");
- *   Elements, Vertices [ids]; MeshSize [length] the largest diameter;
- *   for each metric <Name>_min, <Name>_max, <Name>_mean over the elements where it is finite, NaN
- *   where there are none, and <Name>_min_element, <Name>_max_element, the smallest id of an
- *   element that attains it, -1 where there are none;
+ *   the numbers of the whole mesh (MeshMetrics.h);
+ *   for each metric and each group of elements (ValueStatistics.h) the statistics
+ *   <Name>_<statistic><group>, taken over the elements where the metric is finite, NaN where there
+ *   are none, with <Name>_min_element<group> and <Name>_max_element<group>, the smallest id of an
+ *   element that attains it, -1 where there are none; then quantiles <Name>_q0.05<group>, and the
+ *   histogram, <Name>_bin1<group> and so on, numbers of elements in equal parts of the range from
+ *   min to max, of which the last includes its end. Of all elements the group is empty, of others
+ *   "_placed", "_filler", "_triangles", "_polygons", "_selected";
  *   every other field array of one number, and the texts named *_Status and *_StatusMessage;
  *   Status ("ok" or a word) and StatusMessage [text].
  *   Field data: the lists "Parameters" and "Measured" of the mesh.
  * A failed mesh, or one that was never measured, has the same columns, with NaN.
- * The mean is summed in the order of the elements with compensation: the same bits every time.
+ * Means are summed in the order of the elements with compensation: the same bits every time, with
+ * any number of threads.
  *
  * @sa vtkPEMMetrics vtkPEMSeriesTable
  */
@@ -25,6 +30,7 @@
 #include "pemeshFiltersMetricsModule.h" // For export macro
 #include <vtkTableAlgorithm.h>
 
+#include <optional>
 #include <string> // For arguments
 #include <vector> // For arguments
 
@@ -37,15 +43,68 @@ public:
 
   ///@{
   /**
-   * The metrics that get columns, by name. Default: all of the registry. Columns are in the order
-   * of the registry whatever the order here. Choose the same as in vtkPEMMetrics. A name that is
-   * unknown is an error that tells the nearest known one, and changes nothing.
+   * The metrics that get columns, named as in vtkPEMMetrics. Default: "all". Columns are in the
+   * order of the registry whatever the order here. Choose the same as in vtkPEMMetrics. A name that
+   * is unknown is an error that tells the nearest known one, and changes nothing.
    */
   void SetMetrics(const std::vector<std::string>& names);
   void AddMetric(const std::string& name);
   void RemoveAllMetrics();
   void SelectAllMetrics();
   std::vector<std::string> GetMetrics() const;
+  ///@}
+
+  ///@{
+  /**
+   * The numbers of the whole mesh that get columns, by name, in the order given. Default: all of
+   * MeshMetrics.h, but for those made of a metric that is not chosen and not cheap (MeshRho without
+   * VEMIndicator). Those made of a metric that was not measured measure it.
+   */
+  void SetMeshMetrics(const std::vector<std::string>& names);
+  void SelectDefaultMeshMetrics();
+  std::vector<std::string> GetMeshMetrics() const;
+  ///@}
+
+  ///@{
+  /**
+   * The statistics of each metric: "min", "max", "mean" (the default), "standard-deviation",
+   * "area-mean", "undefined". A name that is unknown is an error, and changes nothing.
+   */
+  void SetStatistics(const std::vector<std::string>& names);
+  std::vector<std::string> GetStatistics() const { return this->Statistics; }
+  ///@}
+
+  ///@{
+  /**
+   * The groups of elements they are taken over: "all" (the default), "triangles", "polygons",
+   * "placed", "filler", "selected". A name that is unknown is an error, and changes nothing.
+   */
+  void SetGroups(const std::vector<std::string>& names);
+  std::vector<std::string> GetGroups() const { return this->Groups; }
+  ///@}
+
+  ///@{
+  /** Quantiles of each metric, as fractions in [0, 1]; linear between values. Default: none. */
+  void SetQuantiles(const std::vector<double>& fractions);
+  std::vector<double> GetQuantiles() const { return this->Quantiles; }
+  ///@}
+
+  ///@{
+  /** Parts of the histogram of each metric. Valid range [0, 10000]. Default: 0, no histogram. */
+  vtkSetClampMacro(HistogramBins, int, 0, 10000);
+  vtkGetMacro(HistogramBins, int);
+  ///@}
+
+  ///@{
+  /** The cell array that is not zero for the elements of the group "selected". Default: none. */
+  void SetSelectionArray(const std::string& name);
+  std::string GetSelectionArray() const { return this->SelectionArray; }
+  ///@}
+
+  ///@{
+  /** Empty if all names are known, else a sentence about the first that is not. */
+  static std::string WhyUnknownStatistic(const std::vector<std::string>& names);
+  static std::string WhyUnknownGroup(const std::vector<std::string>& names);
   ///@}
 
 protected:
@@ -60,7 +119,17 @@ private:
   vtkPEMMetricSummary(const vtkPEMMetricSummary&) = delete;
   void operator=(const vtkPEMMetricSummary&) = delete;
 
+  template <typename Value>
+  void Change(Value& own, const Value& value, const std::string& problem);
+  std::vector<std::string> FindBaseMetrics() const;
+
   std::vector<std::string> Metrics;
+  std::optional<std::vector<std::string>> MeshMetrics;
+  std::vector<std::string> Statistics = { "min", "max", "mean" };
+  std::vector<std::string> Groups = { "all" };
+  std::vector<double> Quantiles;
+  int HistogramBins = 0;
+  std::string SelectionArray;
 };
 
 #endif

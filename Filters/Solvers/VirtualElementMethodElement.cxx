@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "VirtualElementMethodElement.h"
 
+#include "PolygonMeasures.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,11 +16,6 @@ namespace
 Point2 Difference(const Point2& a, const Point2& b)
 {
   return { a.x - b.x, a.y - b.y };
-}
-
-double Cross(const Point2& a, const Point2& b)
-{
-  return a.x * b.y - a.y * b.x;
 }
 
 double Diameter(PolygonView vertices)
@@ -35,40 +32,14 @@ double Diameter(PolygonView vertices)
   return std::sqrt(square);
 }
 
-Point2 Centroid(PolygonView vertices, double area)
-{
-  const Point2 origin = vertices.front();
-  Point2 sum;
-  for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
-  {
-    const Point2 a = Difference(vertices[i], origin);
-    const Point2 b = Difference(vertices[i + 1], origin);
-    const double cross = Cross(a, b);
-    sum.x += cross * (a.x + b.x);
-    sum.y += cross * (a.y + b.y);
-  }
-  return { origin.x + sum.x / (6.0 * area), origin.y + sum.y / (6.0 * area) };
-}
-
 } // namespace
-
-double SignedArea(PolygonView polygon)
-{
-  const Point2 origin = polygon.front();
-  double sum = 0.0;
-  for (std::size_t i = 1; i + 1 < polygon.size(); ++i)
-  {
-    sum += Cross(Difference(polygon[i], origin), Difference(polygon[i + 1], origin));
-  }
-  return 0.5 * sum;
-}
 
 void VirtualElement::Set(PolygonView vertices, ProjectionConstant constant)
 {
   const std::size_t n = vertices.size();
   this->ElementArea = SignedArea(vertices);
   this->ElementDiameter = pemesh::Diameter(vertices);
-  this->ElementCentroid = pemesh::Centroid(vertices, this->ElementArea);
+  this->ElementCentroid = pemesh::Centroid(vertices);
   this->Constants.assign(n, 1.0 / static_cast<double>(n));
   this->GradientsX.resize(n);
   this->GradientsY.resize(n);

@@ -38,9 +38,6 @@ enum class ProjectionConstant
   VertexMean    ///< the mean of the values at the vertices
 };
 
-/** Positive when counter-clockwise; computed relative to the first vertex. */
-PEMESHFILTERSSOLVERS_EXPORT double SignedArea(PolygonView polygon);
-
 class PEMESHFILTERSSOLVERS_EXPORT VirtualElement
 {
 public:

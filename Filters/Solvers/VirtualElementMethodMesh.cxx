@@ -3,6 +3,7 @@
 #include "VirtualElementMethodMesh.h"
 
 #include "ElementAccess.h"
+#include "PolygonMeasures.h"
 #include "VirtualElementMethodElement.h"
 
 #include <vtkPoints.h>

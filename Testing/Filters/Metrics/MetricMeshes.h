@@ -44,6 +44,27 @@ inline vtkSmartPointer<vtkPolyData> MakeMesh(const std::vector<Coordinates>& pol
   return mesh;
 }
 
+/** A mesh of polygons given by the numbers of their points. */
+inline vtkSmartPointer<vtkPolyData> MakeSharedMesh(
+  const Coordinates& coordinates, const std::vector<std::vector<vtkIdType>>& polygons)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (const auto& point : coordinates)
+  {
+    points->InsertNextPoint(point[0], point[1], 0.0);
+  }
+  vtkNew<vtkCellArray> cells;
+  for (const std::vector<vtkIdType>& polygon : polygons)
+  {
+    cells->InsertNextCell(static_cast<vtkIdType>(polygon.size()), polygon.data());
+  }
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  mesh->SetPoints(points);
+  mesh->SetPolys(cells);
+  return mesh;
+}
+
 inline double CellValue(vtkPolyData* mesh, const std::string& name, vtkIdType element)
 {
   vtkDataArray* array = mesh->GetCellData()->GetArray(name.c_str());

@@ -4,11 +4,15 @@
 #include "vtkPEMMetrics.h"
 
 #include "CaseStatus.h"
+#include "MeshMetrics.h"
 #include "MetricMeshes.h"
+#include "ValueStatistics.h"
+#include "vtkPEMMeshReader.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
 #include <sstream>
 
 #include <vtkCallbackCommand.h>
@@ -16,6 +20,7 @@
 #include <vtkDoubleArray.h>
 #include <vtkExecutive.h>
 #include <vtkFieldData.h>
+#include <vtkIntArray.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
@@ -79,11 +84,12 @@ TEST(vtkPEMMetricSummary, OneRowWithItsColumnsInOrder)
   pemesh::AddToFieldList(mesh, pemesh::MeasuredList, "vem_solve-seconds");
   const auto table = Summarize(mesh, { "Area", "NumberOfEdges" });
   ASSERT_EQ(table->GetNumberOfRows(), 1);
-  const std::vector<std::string> expected = { "Mesh", "t", "Elements", "Vertices", "MeshSize",
-    "NumberOfEdges_min", "NumberOfEdges_max", "NumberOfEdges_mean", "NumberOfEdges_min_element",
-    "NumberOfEdges_max_element", "Area_min", "Area_max", "Area_mean", "Area_min_element",
-    "Area_max_element", "AttainedMinimumAngle", "vem_condition-number", "vem_Status",
-    "vem_StatusMessage", "Status", "StatusMessage" };
+  const std::vector<std::string> expected = { "Mesh", "t", "Elements", "Vertices", "Edges",
+    "Triangles", "Polygons", "MeshSize", "MinAreaRatio", "TotalArea", "BoundaryLength",
+    "UndefinedElements", "NumberOfEdges_min", "NumberOfEdges_max", "NumberOfEdges_mean",
+    "NumberOfEdges_min_element", "NumberOfEdges_max_element", "Area_min", "Area_max", "Area_mean",
+    "Area_min_element", "Area_max_element", "AttainedMinimumAngle", "vem_condition-number",
+    "vem_Status", "vem_StatusMessage", "Status", "StatusMessage" };
   EXPECT_EQ(ColumnNames(table), expected);
   EXPECT_EQ(Text(table, "Mesh"), "000_0.5");
   EXPECT_EQ(Number(table, "t"), 0.5);
@@ -162,6 +168,176 @@ TEST(vtkPEMMetricSummary, AFailedMeshHasTheSameColumns)
   EXPECT_EQ(Text(row, "StatusMessage"), "Polygons 1 and 2 overlap at t = 0.9.");
 }
 
+TEST(vtkPEMMetricSummary, NumbersOfTheMesh)
+{
+  // A square and a triangle on it; a third element has no area.
+  const Coordinates points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { .5, 2 }, { 2, 0 },
+    { 3, 0 } };
+  const auto mesh = MakeSharedMesh(points, { { 0, 1, 2, 3 }, { 3, 2, 4 }, { 1, 5, 6 } });
+  const auto table = Summarize(mesh, { "VEMIndicator" });
+  EXPECT_EQ(Number(table, "Elements"), 3);
+  EXPECT_EQ(Number(table, "Vertices"), 7);
+  EXPECT_EQ(Number(table, "Edges"), 4 + 2 + 3);
+  EXPECT_EQ(Number(table, "Triangles"), 2);
+  EXPECT_EQ(Number(table, "Polygons"), 1);
+  EXPECT_EQ(Number(table, "MeshSize"), std::sqrt(2.0));
+  EXPECT_EQ(Number(table, "TotalArea"), 1.5);
+  EXPECT_EQ(Number(table, "MinAreaRatio"), 0.5);
+  EXPECT_NEAR(Number(table, "BoundaryLength"), 3.0 + 2.0 * std::sqrt(1.25) + 4.0, 1e-14);
+  EXPECT_EQ(Number(table, "UndefinedElements"), 1);
+  const double square = (std::sqrt(0.5) + 1.75) / 3.0;
+  const double triangle = (std::sqrt(0.5) / std::sqrt(1.25) + 2.0) / 3.0;
+  EXPECT_NEAR(Number(table, "MeshRho"), std::sqrt((square + triangle) / 2.0), 1e-14);
+}
+
+TEST(vtkPEMMetricSummary, ChoosesNumbersOfTheMesh)
+{
+  vtkNew<vtkPEMMetricSummary> summary;
+  summary->SetMetrics({});
+  summary->SetInputData(MakeMesh({ SquareCoordinates() }));
+  summary->Update();
+  EXPECT_EQ(summary->GetOutput()->GetColumnByName("MeshRho"), nullptr) << "not cheap";
+  summary->SetMeshMetrics({ "MeshRho", "TotalArea" });
+  summary->Update();
+  const std::vector<std::string> expected = { "Mesh", "MeshRho", "TotalArea", "Status",
+    "StatusMessage" };
+  EXPECT_EQ(ColumnNames(summary->GetOutput()), expected);
+  EXPECT_NEAR(
+    Number(summary->GetOutput(), "MeshRho"), std::sqrt((std::sqrt(0.5) + 1.75) / 3.0), 1e-15);
+  summary->SelectDefaultMeshMetrics();
+  summary->SelectAllMetrics();
+  EXPECT_EQ(summary->GetMeshMetrics(), pemesh::MeshMetricNames());
+}
+
+TEST(vtkPEMMetricSummary, TheQualityOfPublishedMeshes)
+{
+  // T. Sorgente et al., Adv. Comput. Math. 48 (2022) 3, their data set.
+  const std::map<std::string, double> published = { { "Triangle0.off", .91428628 },
+    { "Triangle1.off", .9184023 }, { "Triangle2.off", .91975263 }, { "Triangle3.off", .92010596 },
+    { "Maze0.obj", .91077731 }, { "Jenga0.off", .84652647 }, { "Jenga1.off", .78894889 },
+    { "Jenga2.off", .75421299 }, { "Jenga3.off", .7405337 }, { "Slices0.off", .68370777 },
+    { "Slices1.off", .55670336 }, { "Slices2.off", .48133657 }, { "Slices3.off", .43026395 } };
+  vtkNew<vtkPEMMeshReader> reader;
+  vtkNew<vtkPEMMetricSummary> summary;
+  summary->SetMetrics({});
+  summary->SetMeshMetrics({ "MeshRho", "TotalArea", "BoundaryLength" });
+  summary->SetInputConnection(reader->GetOutputPort());
+  for (const auto& [name, rho] : published)
+  {
+    reader->SetFileNames({ std::string(PEMESH_TEST_DATA) + "/Meshes/vem_quality_2d/" + name });
+    summary->Update();
+    EXPECT_NEAR(Number(summary->GetOutput(), "MeshRho"), rho, 5e-9) << name;
+    EXPECT_NEAR(Number(summary->GetOutput(), "TotalArea"), 1.0, 1e-12) << name;
+    EXPECT_NEAR(Number(summary->GetOutput(), "BoundaryLength"), 4.0, 1e-12) << name;
+  }
+}
+
+namespace
+{
+
+/** Squares of the sizes 1, 2, 3, 4 and a triangle, of which two are placed. */
+vtkSmartPointer<vtkPolyData> MeshOfGroups()
+{
+  std::vector<Coordinates> polygons;
+  for (const double size : { 1.0, 2.0, 3.0, 4.0 })
+  {
+    polygons.push_back({ { 0, 0 }, { size, 0 }, { size, size }, { 0, size } });
+  }
+  polygons.push_back({ { 0, 0 }, { 1, 0 }, { 0, 1 } });
+  auto mesh = MakeMesh(polygons);
+  vtkNew<vtkIntArray> ids;
+  ids->SetName("PolygonId");
+  vtkNew<vtkIntArray> mask;
+  mask->SetName("Mine");
+  for (const int id : { -1, 0, 1, -1, -1 })
+  {
+    ids->InsertNextValue(id);
+    mask->InsertNextValue(id == -1 ? 0 : 7);
+  }
+  mesh->GetCellData()->AddArray(ids);
+  mesh->GetCellData()->AddArray(mask);
+  return mesh;
+}
+
+} // namespace
+
+TEST(vtkPEMMetricSummary, StatisticsOfGroups)
+{
+  vtkNew<vtkPEMMetrics> measure;
+  measure->SetInputData(MeshOfGroups());
+  vtkNew<vtkPEMMetricSummary> summary;
+  summary->SetInputConnection(measure->GetOutputPort());
+  summary->SetMetrics({ "ShortestEdge" });
+  summary->SetGroups({ "all", "triangles", "polygons", "placed", "filler", "selected" });
+  summary->SetStatistics({ "mean", "standard-deviation", "area-mean", "undefined", "max" });
+  summary->SetSelectionArray("Mine");
+  summary->Update();
+  vtkTable* table = summary->GetOutput();
+  EXPECT_EQ(Number(table, "ShortestEdge_mean"), 2.2);
+  EXPECT_DOUBLE_EQ(
+    Number(table, "ShortestEdge_deviation"), std::sqrt((1 + 4 + 9 + 16 + 1) / 5.0 - 2.2 * 2.2));
+  EXPECT_DOUBLE_EQ(Number(table, "ShortestEdge_area_mean"), (1 + 8 + 27 + 64 + 0.5) / 30.5);
+  EXPECT_EQ(Number(table, "ShortestEdge_undefined"), 0);
+  EXPECT_EQ(Number(table, "ShortestEdge_mean_triangles"), 1.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_mean_polygons"), 2.5);
+  EXPECT_DOUBLE_EQ(Number(table, "ShortestEdge_deviation_polygons"), std::sqrt(1.25));
+  EXPECT_EQ(Number(table, "ShortestEdge_mean_placed"), 2.5);
+  EXPECT_DOUBLE_EQ(Number(table, "ShortestEdge_area_mean_placed"), (8 + 27) / 13.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_mean_filler"), 2.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_max_element_placed"), 2);
+  EXPECT_EQ(Number(table, "ShortestEdge_max_element_filler"), 3);
+  EXPECT_EQ(Number(table, "ShortestEdge_mean_selected"), 2.5);
+  EXPECT_EQ(table->GetColumnByName("ShortestEdge_min"), nullptr);
+  summary->SetSelectionArray("no such array");
+  summary->Update();
+  EXPECT_TRUE(std::isnan(Number(summary->GetOutput(), "ShortestEdge_mean_selected")));
+  EXPECT_EQ(Number(summary->GetOutput(), "ShortestEdge_max_element_selected"), -1);
+}
+
+TEST(vtkPEMMetricSummary, QuantilesAndHistogram)
+{
+  vtkNew<vtkPEMMetrics> measure;
+  measure->SetInputData(MeshOfGroups());
+  vtkNew<vtkPEMMetricSummary> summary;
+  summary->SetInputConnection(measure->GetOutputPort());
+  summary->SetMetrics({ "ShortestEdge" }); // 1 1 2 3 4
+  summary->SetQuantiles({ 0.0, 0.05, 0.5, 0.875, 1.0 });
+  summary->SetHistogramBins(3);
+  summary->SetGroups({ "all", "placed" });
+  summary->Update();
+  vtkTable* table = summary->GetOutput();
+  EXPECT_EQ(Number(table, "ShortestEdge_q0"), 1.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_q0.05"), 1.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_q0.5"), 2.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_q0.875"), 3.5);
+  EXPECT_EQ(Number(table, "ShortestEdge_q1"), 4.0);
+  EXPECT_EQ(Number(table, "ShortestEdge_q0.5_placed"), 2.5);
+  EXPECT_EQ(Number(table, "ShortestEdge_bin1"), 2);
+  EXPECT_EQ(Number(table, "ShortestEdge_bin2"), 1);
+  EXPECT_EQ(Number(table, "ShortestEdge_bin3"), 2) << "the largest is in the last part";
+  EXPECT_EQ(Number(table, "ShortestEdge_bin2_placed"), 0);
+}
+
+TEST(ValueStatistics, OfNoneAndOfEqualValues)
+{
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const pemesh::ValueSummary none =
+    pemesh::SummarizeValues(std::vector<double>{ nan, nan }, {}, {}, true);
+  EXPECT_EQ(none.Count, 0);
+  EXPECT_EQ(none.Undefined, 2);
+  EXPECT_EQ(none.MinimumElement, -1);
+  EXPECT_TRUE(std::isnan(none.StandardDeviation));
+  EXPECT_TRUE(std::isnan(pemesh::Quantile({}, 0.5)));
+  const std::vector<double> equal(5, 1e300);
+  EXPECT_EQ(pemesh::SummarizeValues(equal, {}, {}, true).StandardDeviation, 0.0);
+  EXPECT_EQ(pemesh::Histogram(equal, 2), (std::vector<vtkIdType>{ 0, 5 }));
+  EXPECT_EQ(pemesh::Quantile(equal, 0.3), 1e300);
+  // Far from zero, where squares of values would cancel.
+  const std::vector<double> far = { 1e9 + 1.0, 1e9 + 2.0, 1e9 + 3.0 };
+  EXPECT_DOUBLE_EQ(
+    pemesh::SummarizeValues(far, {}, {}, true).StandardDeviation, std::sqrt(2.0 / 3.0));
+}
+
 TEST(vtkPEMMetricSummary, KeepsToThePipelineContract)
 {
   vtkNew<vtkPEMMetricSummary> summary;
@@ -183,6 +359,12 @@ TEST(vtkPEMMetricSummary, KeepsToThePipelineContract)
   errors = 0;
   summary->AddMetric("NoSuchMetric");
   EXPECT_EQ(errors, 1);
+  summary->SetStatistics({ "median" });
+  summary->SetGroups({ "all", "squares" });
+  summary->SetMeshMetrics({ "Area" });
+  summary->SetQuantiles({ 0.5, 1.5 });
+  EXPECT_EQ(errors, 5);
+  EXPECT_EQ(summary->GetGroups(), std::vector<std::string>{ "all" }) << "nothing changed";
   std::ostringstream text;
   summary->Print(text);
   EXPECT_NE(text.str().find("KernelAreaRatio"), std::string::npos);

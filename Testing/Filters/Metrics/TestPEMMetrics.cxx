@@ -53,7 +53,8 @@ TEST(vtkPEMMetrics, MeasuresEveryElement)
     { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } }));
   ASSERT_EQ(filter->GetExecutive()->Update(), 1);
   vtkPolyData* output = filter->GetOutput();
-  EXPECT_EQ(output->GetCellData()->GetNumberOfArrays(), static_cast<int>(pemesh::Metrics().size()));
+  EXPECT_EQ(
+    output->GetCellData()->GetNumberOfArrays(), static_cast<int>(pemesh::MetricNames().size()));
   EXPECT_EQ(CellValue(output, "Area", 0), 1.0);
   EXPECT_EQ(CellValue(output, "Area", 1), 2.0); // clockwise
   EXPECT_EQ(CellValue(output, "Area", 2), 3.0);
