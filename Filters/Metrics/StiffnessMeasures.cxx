@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace pemesh
 {
@@ -120,7 +121,10 @@ private:
   double ComputeCondition() const
   {
     const Eigen::JacobiSVD<Eigen::Matrix3d> svd(this->Triangle);
-    return svd.singularValues()(0) / svd.singularValues()(2);
+    const Eigen::Vector3d values = svd.info() == Eigen::Success
+      ? Eigen::Vector3d(svd.singularValues())
+      : Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN()); // not finite
+    return values(0) / values(2);
   }
 
   double ComputeStabilityRatio()
