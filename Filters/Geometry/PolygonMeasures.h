@@ -41,7 +41,12 @@ struct EdgeLengths
 PEMESHFILTERSGEOMETRY_EXPORT EdgeLengths MeasureEdges(PolygonView polygon);
 
 ///@{
-/** Interior angles of a counter-clockwise polygon in radians, in [0, 2 pi); pi where straight. */
+/**
+ * Interior angles of a counter-clockwise polygon in radians, in [0, 2 pi); pi where straight. Each
+ * is within a few roundings of that of the vertices as given. A repeated vertex has no angle: its
+ * entry in the list is 0 and MeasureAngles leaves it out. MeasureAngles compares the corners by
+ * slopes and takes the arc tangent of two only.
+ */
 PEMESHFILTERSGEOMETRY_EXPORT std::vector<double> InteriorAngles(PolygonView polygon);
 struct AngleRange
 {
