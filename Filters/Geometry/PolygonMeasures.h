@@ -4,7 +4,11 @@
  * Area, perimeter, edges, angles and convexity of a polygon.
  *
  * All are accurate at any scale and any distance from the origin: only differences of coordinates
- * enter, and where a sign decides it is exact. Polygons may have straight and repeated vertices.
+ * enter, and where a sign decides it is exact. The area sums twice the digits where the plain sum
+ * would cancel (T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput.
+ * 26 (2005) 1955-1988). Polygons may have straight and repeated vertices; a repeated one is an
+ * edge of length 0 and has no angle. Cost: O(n); crossing edges O(n^2) up to 48 edges, then a
+ * sweep.
  */
 #ifndef pemesh_PolygonMeasures_h
 #define pemesh_PolygonMeasures_h
