@@ -14,9 +14,12 @@
  *
  * Accuracy: the radius is within 1e-11 of itself plus 2e-15 of the perimeter, and the center is
  * at that distance of the boundary; where several circles are as large, any of them is returned.
- * Coordinates enter by differences only. Straight vertices change nothing, repeated ones are
- * ignored, and so are edges of no length. Clockwise polygons have no such circle: the radius is 0.
- * Cost: O(n) for few vertices in practice, O(n^2) at worst for each of the local maxima passed.
+ * Coordinates enter by differences only. Straight vertices change nothing, and repeated ones are
+ * ignored. A clockwise polygon has to be reversed first (see PolygonOrientation): nothing is
+ * promised for it but an end.
+ * Cost: measured as a few times n for the elements of meshes, for a climb takes some four steps of
+ * O(n), there is seldom more than one, and few edges are asked for each curve of the cover. O(n^2)
+ * at worst for each local maximum passed.
  */
 #ifndef pemesh_InscribedCircle_h
 #define pemesh_InscribedCircle_h

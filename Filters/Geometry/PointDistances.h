@@ -2,6 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * The largest and the least distance of two points of a set.
+ *
+ * Accuracy: a rounding or two of the distance. Collinear points are like others; a repeated point
+ * makes the least distance 0. Cost: all pairs up to 48 points, which is faster there, then that
+ * of sorting (and, for the closest pair, of the pairs near each other along x).
  */
 #ifndef pemesh_PointDistances_h
 #define pemesh_PointDistances_h

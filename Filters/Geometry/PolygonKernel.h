@@ -8,6 +8,10 @@
  * 415-421). Here the half planes clip the bounding box one by one: O(n k) for a kernel of k
  * vertices, faster than the linear algorithm up to some hundreds of vertices, and without its
  * special cases. A convex polygon is its own kernel, exactly.
+ *
+ * Accuracy: every line has the direction of its edge as given, however short that is, so the area
+ * is within 1e-14 of the square of the diameter. Straight and repeated vertices clip nothing. A
+ * kernel without an area may be returned as fewer than three points, or as some on one line.
  */
 #ifndef pemesh_PolygonKernel_h
 #define pemesh_PolygonKernel_h

@@ -25,6 +25,22 @@ std::size_t PreviousIndex(std::size_t i, std::size_t size)
   return i == 0 ? size - 1 : i - 1;
 }
 
+bool IsLess(const Point2& a, const Point2& b)
+{
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+/** The last vertex that is not a repeat of the first. */
+std::size_t BeforeRepeats(PolygonView polygon)
+{
+  std::size_t previous = polygon.size() - 1;
+  while (previous > 0 && polygon[previous] == polygon[0])
+  {
+    --previous;
+  }
+  return previous;
+}
+
 /** A sum that carries its rounding errors along: twice the precision of a double. */
 class PreciseSum
 {
@@ -168,9 +184,7 @@ int PolygonOrientation(PolygonView polygon)
   {
     return 0;
   }
-  const auto Less = [](const Point2& a, const Point2& b)
-  { return a.x < b.x || (a.x == b.x && a.y < b.y); };
-  const auto lowest = std::min_element(polygon.begin(), polygon.end(), Less);
+  const auto lowest = std::min_element(polygon.begin(), polygon.end(), IsLess);
   const auto start = static_cast<std::size_t>(lowest - polygon.begin());
   std::size_t previous = PreviousIndex(start, size);
   while (previous != start && polygon[previous] == *lowest)
@@ -262,14 +276,24 @@ std::vector<double> InteriorAngles(PolygonView polygon)
 AngleRange MeasureAngles(PolygonView polygon)
 {
   const std::size_t size = polygon.size();
+  if (size < 3)
+  {
+    return {};
+  }
   Point2 smallest;
   Point2 largest;
   double least = 5.0;
   double greatest = -1.0;
+  std::size_t previous = BeforeRepeats(polygon);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Point2 corner =
-      CornerVector(polygon[PreviousIndex(i, size)], polygon[i], polygon[NextIndex(i, size)]);
+    const Point2& next = polygon[NextIndex(i, size)];
+    if (next == polygon[i])
+    {
+      continue; // the last of the repeats counts
+    }
+    const Point2 corner = CornerVector(polygon[previous], polygon[i], next);
+    previous = i;
     const double pseudo = PseudoAngle(corner);
     if (pseudo < least)
     {
@@ -288,21 +312,31 @@ AngleRange MeasureAngles(PolygonView polygon)
 bool IsConvex(PolygonView polygon)
 {
   const std::size_t size = polygon.size();
+  if (size < 3)
+  {
+    return false;
+  }
   int reversals = 0; // changes of the lexicographic direction: two in one round
-  bool wasForward = false;
+  std::size_t previous = BeforeRepeats(polygon);
+  bool wasForward = IsLess(polygon[previous], polygon[0]);
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Point2& a = polygon[i];
-    const Point2& b = polygon[NextIndex(i, size)];
-    const bool forward = a.x < b.x || (a.x == b.x && a.y < b.y);
-    reversals += i > 0 && forward != wasForward ? 1 : 0;
+    const Point2& b = polygon[i];
+    const Point2& c = polygon[NextIndex(i, size)];
+    if (b == c)
+    {
+      continue; // the last of the repeats counts
+    }
+    const bool forward = IsLess(b, c);
+    reversals += forward != wasForward ? 1 : 0;
     wasForward = forward;
-    if (reversals > 2 || Orientation(a, b, polygon[NextIndex(NextIndex(i, size), size)]) < 0)
+    if (reversals > 2 || Orientation(polygon[previous], b, c) < 0)
     {
       return false;
     }
+    previous = i;
   }
-  return size >= 3;
+  return true;
 }
 
 bool HasCrossingEdges(PolygonView polygon)

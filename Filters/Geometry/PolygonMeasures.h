@@ -4,7 +4,11 @@
  * Area, perimeter, edges, angles and convexity of a polygon.
  *
  * All are accurate at any scale and any distance from the origin: only differences of coordinates
- * enter, and where a sign decides it is exact. Polygons may have straight and repeated vertices.
+ * enter, and where a sign decides it is exact. The area sums twice the digits where the plain sum
+ * would cancel (T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput.
+ * 26 (2005) 1955-1988). Polygons may have straight and repeated vertices; a repeated one is an
+ * edge of length 0 and has no angle. Cost: O(n); crossing edges O(n^2) up to 48 edges, then a
+ * sweep.
  */
 #ifndef pemesh_PolygonMeasures_h
 #define pemesh_PolygonMeasures_h
@@ -41,7 +45,12 @@ struct EdgeLengths
 PEMESHFILTERSGEOMETRY_EXPORT EdgeLengths MeasureEdges(PolygonView polygon);
 
 ///@{
-/** Interior angles of a counter-clockwise polygon in radians, in [0, 2 pi); pi where straight. */
+/**
+ * Interior angles of a counter-clockwise polygon in radians, in [0, 2 pi); pi where straight. Each
+ * is within a few roundings of that of the vertices as given. A repeated vertex has no angle: its
+ * entry in the list is 0 and MeasureAngles leaves it out. MeasureAngles compares the corners by
+ * slopes and takes the arc tangent of two only.
+ */
 PEMESHFILTERSGEOMETRY_EXPORT std::vector<double> InteriorAngles(PolygonView polygon);
 struct AngleRange
 {
