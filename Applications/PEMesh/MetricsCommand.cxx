@@ -41,7 +41,34 @@ struct MetricsArguments
   std::string Output;
   std::string Cells;
   std::vector<std::string> Only;
+  std::vector<std::string> Statistics = { "min", "max", "mean" };
+  std::vector<std::string> Groups = { "all" };
+  std::vector<double> Quantiles;
+  int Bins = 0;
+  std::string Selection;
 };
+
+void CheckNames(const MetricsArguments& arguments)
+{
+  for (const std::string& problem : { WhyUnknownMetric(arguments.Only),
+         vtkPEMMetricSummary::WhyUnknownStatistic(arguments.Statistics),
+         vtkPEMMetricSummary::WhyUnknownGroup(arguments.Groups) })
+  {
+    if (!problem.empty())
+    {
+      throw std::runtime_error(problem);
+    }
+  }
+}
+
+void Configure(vtkPEMMetricSummary* summary, const MetricsArguments& arguments)
+{
+  summary->SetStatistics(arguments.Statistics);
+  summary->SetGroups(arguments.Groups);
+  summary->SetQuantiles(arguments.Quantiles);
+  summary->SetHistogramBins(arguments.Bins);
+  summary->SetSelectionArray(arguments.Selection);
+}
 
 /** One row an element: its number, vertices and metrics. */
 vtkSmartPointer<vtkTable> MakeCellTable(vtkPolyData* mesh)
@@ -67,11 +94,7 @@ vtkSmartPointer<vtkTable> MakeCellTable(vtkPolyData* mesh)
 
 int Measure(const MetricsArguments& arguments)
 {
-  const std::string unknown = WhyUnknownMetric(arguments.Only);
-  if (!unknown.empty())
-  {
-    throw std::runtime_error(unknown);
-  }
+  CheckNames(arguments);
   vtkNew<vtkPEMMeshReader> reader;
   reader->SetFileNames(arguments.Meshes);
   vtkNew<vtkPEMMetrics> metrics;
@@ -83,6 +106,8 @@ int Measure(const MetricsArguments& arguments)
     metrics->SetMetrics(arguments.Only);
     summary->SetMetrics(arguments.Only);
   }
+  Configure(summary, arguments);
+  reader->ReleaseDataFlagOn();
   int failures = 0;
   vtkNew<vtkTable> rows;
   for (int i = 0; i < reader->GetNumberOfFileNames(); ++i)
@@ -100,6 +125,7 @@ int Measure(const MetricsArguments& arguments)
       WriteCsvFile(
         fs::path(arguments.Cells) / (reader->GetMeshName(i) + ".csv"), MakeCellTable(mesh));
     }
+    mesh->ReleaseData(); // so that there is never more than one mesh in memory
   }
   NumberTableRows(rows);
   rows->RemoveColumnByName("StatusMessage");
@@ -126,8 +152,24 @@ void AddMetricsCommand(CLI::App& program, int& exitCode)
   metrics->add_option("--cells", measure->Cells, "Folder for a table a mesh, one row an element");
   metrics
     ->add_option("--only", measure->Only,
-      "Names of metrics, with commas, or all, neighbourhood, jumps, solver (default: all)")
+      "Metrics, with commas, or all, neighbourhood, jumps, solver (default: all)")
     ->delimiter(',');
+  metrics
+    ->add_option("--statistics", measure->Statistics,
+      "Of each metric: min, max, mean, standard-deviation, area-mean, undefined (default: "
+      "min,max,mean)")
+    ->delimiter(',');
+  metrics
+    ->add_option("--groups", measure->Groups,
+      "Over which elements: all, triangles, polygons, placed, filler, selected (default: all)")
+    ->delimiter(',');
+  metrics->add_option("--quantiles", measure->Quantiles, "Fractions between 0 and 1, with commas")
+    ->delimiter(',')
+    ->check(CLI::Range(0.0, 1.0));
+  metrics->add_option("--histogram", measure->Bins, "Parts of a histogram of each metric")
+    ->check(CLI::Range(0, 10000));
+  metrics->add_option(
+    "--selection", measure->Selection, "Cell array that is not zero in the group selected");
   metrics->callback([measure, &exitCode] { exitCode = Measure(*measure); });
 }
 

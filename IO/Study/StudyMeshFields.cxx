@@ -103,6 +103,14 @@ bool Merges(const StudyAgglomeration& agglomeration)
   return agglomeration.Rule != None;
 }
 
+/** The metrics of "all" that need nothing but the element. */
+std::vector<std::string> MetricsOfElements()
+{
+  std::vector<std::string> names = MetricNames();
+  std::erase_if(names, [](const std::string& name) { return !FindElementMetric(name); });
+  return names;
+}
+
 FieldTable<StudyAgglomeration> AgglomerationFields()
 {
   const std::vector<ParameterizedEntry> rules = EntriesOf(AgglomerationRules());
@@ -119,7 +127,7 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
     ParameterFields<StudyAgglomeration>(
       rules, { &StudyAgglomeration::Rule, &StudyAgglomeration::Parameters }, "the rule"));
   AppendFields<StudyAgglomeration>(table,
-    { ChoiceField("metric", &StudyAgglomeration::Metric, NamesOf(Metrics()),
+    { ChoiceField("metric", &StudyAgglomeration::Metric, MetricsOfElements(),
         "The metric that the rule goes by; by default the rule's own.")
         .Only(usesMetric, "rules that look at a metric"),
       IntegerField("elements", &StudyAgglomeration::Elements, 0, MostElements,

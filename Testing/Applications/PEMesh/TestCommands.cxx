@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include <vtkDataArray.h>
 #include <vtkTable.h>
@@ -98,7 +99,9 @@ TEST(Commands, MetricsToStandardOutputOfChosenOnes)
   const auto run =
     RunProgram("pemesh", { "metrics", WriteTwoRectangles(folder), "--only", "Area,EdgeRatio" });
   ASSERT_EQ(run.ExitCode, 0) << run.Errors;
-  EXPECT_THAT(run.Output, StartsWith("Index,Mesh,Elements,Vertices,MeshSize,Area_min,"));
+  EXPECT_THAT(run.Output,
+    StartsWith("Index,Mesh,Elements,Vertices,Edges,Triangles,Polygons,MeshSize,MinAreaRatio,"
+               "TotalArea,BoundaryLength,UndefinedElements,Area_min,"));
   EXPECT_THAT(run.Output, testing::Not(HasSubstr("KernelArea")));
   const auto wrong = RunProgram("pemesh", { "metrics", folder / "two.off", "--only", "Aera" });
   EXPECT_EQ(wrong.ExitCode, 2);
@@ -107,6 +110,39 @@ TEST(Commands, MetricsToStandardOutputOfChosenOnes)
   EXPECT_EQ(missing.ExitCode, 1);
   EXPECT_THAT(missing.Errors, HasSubstr("no.off"));
   EXPECT_THAT(missing.Output, HasSubstr("0,two"));
+}
+
+TEST(Commands, MetricsGivesOtherStatisticsOfGroups)
+{
+  const fs::path folder = FreshFolder("metrics-statistics");
+  const std::string mesh = WriteTwoRectangles(folder);
+  const auto run = RunProgram("pemesh",
+    { "metrics", mesh, mesh, "-o", folder / "summary.csv", "--only", "Area,jumps,solver",
+      "--statistics", "standard-deviation,area-mean", "--groups", "all,triangles", "--quantiles",
+      "0.5,0.75", "--histogram", "2" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Errors;
+  const auto summary = pemesh::ReadCsvFile(folder / "summary.csv");
+  ASSERT_EQ(summary->GetNumberOfRows(), 2);
+  const auto Value = [&](const char* column)
+  { return summary->GetValueByName(1, column).ToDouble(); };
+  EXPECT_EQ(Value("Area_deviation"), 0.25);
+  EXPECT_EQ(Value("Area_area_mean"), 0.625);
+  EXPECT_EQ(Value("Area_q0.5"), 0.5);
+  EXPECT_EQ(Value("Area_q0.75"), 0.625);
+  EXPECT_EQ(Value("Area_bin1"), 1.0);
+  EXPECT_EQ(Value("Area_bin2"), 1.0);
+  EXPECT_EQ(Value("Area_bin1_triangles"), 0.0);
+  EXPECT_EQ(Value("AreaJump_q0.5"), 3.0);
+  EXPECT_FALSE(summary->GetColumnByName("Area_min"));
+  EXPECT_TRUE(summary->GetColumnByName("StabilityRatio_deviation_triangles"));
+  for (const auto& [option, value] :
+    std::map<std::string, std::string>{ { "--statistics", "median" }, { "--groups", "squares" },
+      { "--quantiles", "1.5" }, { "--histogram", "-1" }, { "--only", "Aera" } })
+  {
+    const auto wrong = RunProgram("pemesh", { "metrics", mesh, option, value });
+    EXPECT_EQ(wrong.ExitCode, 2) << option;
+    EXPECT_FALSE(wrong.Errors.empty()) << option;
+  }
 }
 
 TEST(Commands, GenerateMakesMeshesOnly)
