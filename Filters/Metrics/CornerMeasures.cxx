@@ -74,6 +74,15 @@ double SmallestSideRatio(PolygonView polygon, double distance)
   const std::size_t size = polygon.size();
   const auto IsStraightAt = [&](std::size_t i)
   { return IsStraight(Before(polygon, i), polygon[i], After(polygon, i), distance); };
+  bool isAnyStraight = false;
+  for (std::size_t i = 0; i < size && !isAnyStraight; ++i)
+  {
+    isAnyStraight = IsStraightAt(i);
+  }
+  if (!isAnyStraight)
+  {
+    return 1.0;
+  }
   std::size_t start = 0; // the first corner, so that no side goes on over the end of the list
   while (start < size && IsStraightAt(start))
   {
