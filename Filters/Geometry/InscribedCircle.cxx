@@ -211,7 +211,8 @@ bool InscribedCircleFinder::ClimbStep(Point2& point, double& distance)
   }
   const Point2 next = point + solution.Position;
   const double nextDistance = this->SeeAll(next, this->NextSites);
-  if (!(nextDistance > distance))
+  // In a polygon so thin that rounding counts, the step may end beyond its boundary.
+  if (!(nextDistance > distance) || !this->Boundary.Contains(next))
   {
     return false;
   }
