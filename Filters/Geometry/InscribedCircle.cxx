@@ -120,7 +120,7 @@ Circle InscribedCircleFinder::FindInKernel(PolygonView polygon)
 double InscribedCircleFinder::Tolerance() const
 {
   constexpr double RelativeTolerance = 1e-11;
-  constexpr double RoundingTolerance = 2e-15; // of distances, relative to the perimeter
+  constexpr double RoundingTolerance = 5e-16; // of distances, relative to the perimeter
   return std::max(
     RelativeTolerance * this->Best.Radius, RoundingTolerance * this->Boundary.GetScale());
 }
