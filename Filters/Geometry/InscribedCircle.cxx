@@ -145,7 +145,15 @@ Circle InscribedCircleFinder::FindByClimbing(PolygonView polygon)
     this->Climb(point);
     tolerance = this->Tolerance();
   }
-  return { this->Best.Center + polygon[0], this->Best.Radius };
+  const Circle found = { this->Best.Center + polygon[0], this->Best.Radius };
+  constexpr double Thin = 1e-10;
+  if (found.Radius < Thin * this->Boundary.GetScale())
+  {
+    // Here rounding shows, and the circle must not be smaller than the one in the kernel.
+    const Circle inKernel = this->FindInKernel(polygon);
+    return inKernel.Radius > found.Radius ? inKernel : found;
+  }
+  return found;
 }
 
 /** All edges as seen from a point; returns the distance to the boundary. */
