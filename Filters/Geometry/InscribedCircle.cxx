@@ -120,7 +120,7 @@ Circle InscribedCircleFinder::FindInKernel(PolygonView polygon)
 double InscribedCircleFinder::Tolerance() const
 {
   constexpr double RelativeTolerance = 1e-11;
-  constexpr double RoundingTolerance = 2e-15; // of distances, relative to the perimeter
+  constexpr double RoundingTolerance = 5e-16; // of distances, relative to the perimeter
   return std::max(
     RelativeTolerance * this->Best.Radius, RoundingTolerance * this->Boundary.GetScale());
 }
@@ -145,7 +145,15 @@ Circle InscribedCircleFinder::FindByClimbing(PolygonView polygon)
     this->Climb(point);
     tolerance = this->Tolerance();
   }
-  return { this->Best.Center + polygon[0], this->Best.Radius };
+  const Circle found = { this->Best.Center + polygon[0], this->Best.Radius };
+  constexpr double Thin = 1e-10;
+  if (found.Radius < Thin * this->Boundary.GetScale())
+  {
+    // Here rounding shows, and the circle must not be smaller than the one in the kernel.
+    const Circle inKernel = this->FindInKernel(polygon);
+    return inKernel.Radius > found.Radius ? inKernel : found;
+  }
+  return found;
 }
 
 /** All edges as seen from a point; returns the distance to the boundary. */
@@ -211,7 +219,8 @@ bool InscribedCircleFinder::ClimbStep(Point2& point, double& distance)
   }
   const Point2 next = point + solution.Position;
   const double nextDistance = this->SeeAll(next, this->NextSites);
-  if (!(nextDistance > distance))
+  // In a polygon so thin that rounding counts, the step may end beyond its boundary.
+  if (!(nextDistance > distance) || !this->Boundary.Contains(next))
   {
     return false;
   }

@@ -12,7 +12,7 @@
  * again, is inside the polygon and at least that high. Then BoundaryCover either proves that no
  * point is farther from the boundary, or finds one, from where the climb goes on.
  *
- * Accuracy: the radius is within 1e-11 of itself plus 2e-15 of the perimeter, and the center is
+ * Accuracy: the radius is within 1e-11 of itself plus 5e-16 of the perimeter, and the center is
  * at that distance of the boundary; where several circles are as large, any of them is returned.
  * Coordinates enter by differences only. Straight vertices change nothing, and repeated ones are
  * ignored. A clockwise polygon has to be reversed first (see PolygonOrientation): nothing is

@@ -130,6 +130,42 @@ TEST(InscribedCircle, OfTheKernelAgreesWithAllTriples)
   EXPECT_LT(empty, 350);
 }
 
+TEST(BoundaryCover, FindsWhatOnlyArcsAroundReflexVerticesBound)
+{
+  // The room in the middle of a star: all that bounds it are the vertices between the spikes.
+  const Polygon star = StarFamily(12);
+  BoundaryCover cover;
+  cover.SetPolygon(star);
+  for (const double radius : { 0.9, 0.99, 0.999999 })
+  {
+    Point2 point;
+    ASSERT_TRUE(cover.FindFarther(radius, 1e-9, point)) << radius;
+    EXPECT_GT(cover.DistanceFrom(point), radius - 1e-9);
+    EXPECT_TRUE(cover.Contains(point));
+    EXPECT_FALSE(cover.FindFarther(1.0 + 1e-9, 1e-12, point));
+  }
+}
+
+TEST(BoundaryCover, TellsTheRadiusFromAllOthers)
+{
+  for (std::uint64_t seed = 0; seed < 200; ++seed)
+  {
+    const Polygon polygon = RandomPolygon(seed, 4, 12);
+    const double radius = BruteInscribedRadius(polygon);
+    BoundaryCover cover;
+    cover.SetPolygon(polygon);
+    Point2 point;
+    for (const double share : { 0.5, 0.9, 0.999, 0.9999999 })
+    {
+      EXPECT_TRUE(cover.FindFarther(share * radius, 1e-9 * radius, point)) << seed << ' ' << share;
+    }
+    for (const double share : { 1.0000001, 1.001, 1.1, 2.0 })
+    {
+      EXPECT_FALSE(cover.FindFarther(share * radius, 1e-9 * radius, point)) << seed << ' ' << share;
+    }
+  }
+}
+
 TEST(InscribedCircle, TenThousandVertices)
 {
   EXPECT_NEAR(LargestInscribedCircle(RegularPolygon(10000)).Radius,
