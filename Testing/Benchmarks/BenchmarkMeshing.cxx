@@ -58,8 +58,8 @@ std::vector<std::vector<Point2>> FourPolygons()
   for (const auto& [name, center] : places)
   {
     const pemesh::PolygonFamily* family = pemesh::FindPolygonFamily(name);
-    polygons.push_back(
-      pemesh::PlacePolygon(family->Vertices(0.5, family->DefaultCount), center, 0.7, 15.0));
+    polygons.push_back(pemesh::PlacePolygon(
+      family->Vertices(0.5, pemesh::ParameterValues(family->Parameters)), center, 0.7, 15.0));
   }
   return polygons;
 }
