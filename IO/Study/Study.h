@@ -133,8 +133,8 @@ struct StudyMesh
   double SizeAtPolygons = 0.0; // 0 = that of the polygon's edges
   StudyTarget Target;
   int MaximumElements = 20'000'000; // more are refused before they fill the memory
-  int Mirror = 0;                  // times
-  std::array<int, 2> Tile{ 1, 1 }; // copies along x and y
+  int Mirror = 0;                   // times
+  std::array<int, 2> Tile{ 1, 1 };  // copies along x and y
   StudyAgglomeration Agglomeration;
   bool operator==(const StudyMesh&) const = default;
 };
