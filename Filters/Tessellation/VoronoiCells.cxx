@@ -80,8 +80,9 @@ public:
   }
   void Join(int a, int b)
   {
-    const auto [least, other] = std::minmax(this->Find(a), this->Find(b));
-    this->Parent[other] = least;
+    const int first = this->Find(a);
+    const int second = this->Find(b);
+    this->Parent[std::max(first, second)] = std::min(first, second);
   }
   void Add() { this->Parent.push_back(static_cast<int>(this->Parent.size())); }
 

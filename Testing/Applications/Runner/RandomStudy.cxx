@@ -138,7 +138,12 @@ void DrawRepetition(RandomNumbers& random, Json& study)
 
 Json DrawMetric(RandomNumbers& random)
 {
-  return random.AnyOf(pemesh::Metrics()).Name;
+  std::string name;
+  while (!pemesh::FindElementMetric(name)) // merging cannot go by what an element is to others
+  {
+    name = random.AnyOf(pemesh::Metrics()).Name;
+  }
+  return name;
 }
 
 /** Any rule, with any way to say where to stop. */

@@ -341,8 +341,8 @@ TEST(Mirror, RefusalsAreTheStatusOfTheCase)
   mirror->SetNumberOfTimes(14);
   mirror->Update();
   EXPECT_EQ(pemesh::GetCaseStatusMessage(mirror->GetOutput()),
-    "The repeated mesh would have more than 20000000 elements; repeat it less often or raise "
-    "MaximumNumberOfElements.");
+    "The repeated mesh would have more than 20000000 elements; repeat it less often or raise the "
+    "limit.");
   mirror->SetNumberOfTimes(99);
   EXPECT_EQ(mirror->GetNumberOfTimes(), 14);
 }
