@@ -7,10 +7,10 @@
 #include "Commands.h"
 #include "CsvTable.h"
 #include "MeshChecks.h"
-#include "MeshConversion.h"
 #include "MeshFormats.h"
 #include "NumberText.h"
 #include "Terminal.h"
+#include "vtkPEMDomain.h"
 #include "vtkPEMMeshCheck.h"
 #include "vtkPEMMeshReader.h"
 
@@ -113,13 +113,15 @@ void CheckTheArguments(const CheckArguments& arguments, vtkPEMMeshReader* names)
 
 vtkSmartPointer<vtkPolyData> ReadDomain(const std::string& file)
 {
-  vtkSmartPointer<vtkPolyData> loops = ReadMesh(file);
-  Domain domain;
-  if (const std::string problem = ToDomain(loops, domain); !problem.empty())
+  vtkNew<vtkPEMDomain> domain;
+  domain->SetShapeByName("file");
+  domain->SetFileName(file);
+  domain->Update();
+  if (IsCaseFailed(domain->GetOutput()))
   {
-    throw std::runtime_error(file + ": " + problem);
+    throw std::runtime_error(GetCaseStatusMessage(domain->GetOutput()));
   }
-  return loops;
+  return domain->GetOutput();
 }
 
 vtkSmartPointer<vtkPEMMeshCheck> MakeFilter(const CheckArguments& arguments)
@@ -320,8 +322,8 @@ void AddCheckCommand(CLI::App& program, int& exitCode)
   command->add_flag("--repair", arguments->Repair,
     "Turn clockwise elements round, merge equal vertices, drop repeated ones, remove unused "
     "points; the meshes go to the folder, in the format they have");
-  command->add_option(
-    "--domain", arguments->Domain, "Mesh file whose polygons are the loops of the domain to cover");
+  command->add_option("--domain", arguments->Domain,
+    "Mesh file or table of points whose polygons are the loops of the domain to cover");
   command
     ->add_option("--tolerance", arguments->Tolerance,
       "What counts as rounding, relative to the diagonal of the mesh")

@@ -31,7 +31,7 @@ void AddTableCommands(CLI::App& program, int& exitCode);
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);
 
-/** list: the tables of families, metrics, solvers, problems, rules and checks. */
+/** list: the tables to choose from. */
 void AddListCommand(CLI::App& program, int& exitCode);
 
 } // namespace pemesh

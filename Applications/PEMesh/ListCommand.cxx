@@ -33,6 +33,23 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
+Json ParametersAsJson(std::span<const Parameter> parameters)
+{
+  Json list = Json::array();
+  for (const Parameter& parameter : parameters)
+  {
+    Json entry = { { "name", parameter.Name }, { "description", parameter.Description },
+      { "default", parameter.Default }, { "least", parameter.Least } };
+    if (std::isfinite(parameter.Greatest)) // JSON has no infinity
+    {
+      entry["greatest"] = parameter.Greatest;
+    }
+    entry["integer"] = parameter.IsInteger;
+    list.push_back(entry);
+  }
+  return list;
+}
+
 Json FamiliesAsJson()
 {
   Json list = Json::array();
@@ -41,14 +58,7 @@ Json FamiliesAsJson()
     Json entry = { { "name", family.Name }, { "label", family.Label },
       { "description", family.Description }, { "stepped", family.Stepped },
       { "reference", family.Reference } };
-    entry["parameters"] = Json::array();
-    for (const Parameter& parameter : family.Parameters)
-    {
-      entry["parameters"].push_back(
-        { { "name", parameter.Name }, { "description", parameter.Description },
-          { "default", parameter.Default }, { "least", parameter.Least },
-          { "greatest", parameter.Greatest }, { "integer", parameter.IsInteger } });
-    }
+    entry["parameters"] = ParametersAsJson(family.Parameters);
     list.push_back(entry);
   }
   return list;
@@ -114,23 +124,6 @@ Json ProblemsAsJson()
   {
     list.push_back(
       { { "name", problem.Name }, { "label", problem.Label }, { "formula", problem.Formula } });
-  }
-  return list;
-}
-
-Json ParametersAsJson(std::span<const Parameter> parameters)
-{
-  Json list = Json::array();
-  for (const Parameter& parameter : parameters)
-  {
-    Json entry = { { "name", parameter.Name }, { "description", parameter.Description },
-      { "default", parameter.Default }, { "least", parameter.Least } };
-    if (std::isfinite(parameter.Greatest)) // JSON has no infinity
-    {
-      entry["greatest"] = parameter.Greatest;
-    }
-    entry["integer"] = parameter.IsInteger;
-    list.push_back(entry);
   }
   return list;
 }
@@ -258,8 +251,9 @@ void AddListCommand(CLI::App& program, int& exitCode)
   {
     names.emplace_back(listing.Name);
   }
-  CLI::App* command = program.add_subcommand(
-    "list", "List polygon families, metrics, solvers, test problems, area rules or checks");
+  CLI::App* command = program.add_subcommand("list",
+    "List polygon families, domains, sources of meshes, rules, metrics, checks, solvers or test "
+    "problems");
   command->add_option("WHAT", arguments->What, "What to list")
     ->required()
     ->check(CLI::IsMember(names));

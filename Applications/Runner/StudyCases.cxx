@@ -87,9 +87,9 @@ std::vector<StudyCase> MakeStudyCases(const Study& study)
   {
     throw std::runtime_error("The study \"" + study.Name + "\" has no mesh.");
   }
-  for (const StudyCase& studyCase : cases)
+  for (const std::vector<SweptValue>& values : SweepCases(study))
   {
-    MakeStudyOfCase(study, studyCase.Values); // throws
+    MakeStudyOfCase(study, values); // throws
   }
   return cases;
 }

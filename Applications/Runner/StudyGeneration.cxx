@@ -42,12 +42,13 @@ std::vector<vtkAlgorithm*> StudyGeneration::GetFilters()
 
 vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
 {
-  std::vector<std::string> files;
-  for (const std::filesystem::path& path : FindStudyMeshes(study))
+  if (this->Reader->GetNumberOfFileNames() == 0) // no sweep changes them, and the search takes time
   {
-    files.push_back(path.string());
+    for (const std::filesystem::path& path : FindStudyMeshes(study))
+    {
+      this->Reader->AddFileName(path.string());
+    }
   }
-  this->Reader->SetFileNames(files);
   return this->Reader;
 }
 
