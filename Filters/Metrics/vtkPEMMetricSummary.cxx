@@ -6,283 +6,23 @@
 #include "MeshMetrics.h"
 #include "MeshValues.h"
 #include "MetricSelection.h"
-#include "ParallelLoop.h"
 #include "Progress.h"
+#include "SummaryColumns.h"
 #include "ValueStatistics.h"
 
-#include <vtkCellArray.h>
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 vtkStandardNewMacro(vtkPEMMetricSummary);
 
 namespace
 {
-
-void AddNumber(vtkTable* table, const std::string& name, double value)
-{
-  vtkNew<vtkDoubleArray> column;
-  column->SetName(name.c_str());
-  column->InsertNextValue(value);
-  table->AddColumn(column);
-}
-
-void AddId(vtkTable* table, const std::string& name, vtkIdType value)
-{
-  vtkNew<vtkIdTypeArray> column;
-  column->SetName(name.c_str());
-  column->InsertNextValue(value);
-  table->AddColumn(column);
-}
-
-void AddText(vtkTable* table, const std::string& name, const std::string& value)
-{
-  vtkNew<vtkStringArray> column;
-  column->SetName(name.c_str());
-  column->InsertNextValue(value);
-  table->AddColumn(column);
-}
-
-/** A number of the table; ids are whole. */
-struct Cell
-{
-  std::string Column;
-  bool IsId;
-  double Number;
-  vtkIdType Id;
-};
-
-Cell MakeNumber(const std::string& column, double number)
-{
-  return { column, false, number, 0 };
-}
-
-Cell MakeId(const std::string& column, vtkIdType id)
-{
-  return { column, true, 0.0, id };
-}
-
-void AddCells(vtkTable* table, const std::vector<Cell>& cells)
-{
-  for (const Cell& cell : cells)
-  {
-    cell.IsId ? AddId(table, cell.Column, cell.Id) : AddNumber(table, cell.Column, cell.Number);
-  }
-}
-
-/** "0.05": the shortest text that is exactly this number. */
-std::string ShortText(double number)
-{
-  char text[32];
-  const auto end = std::to_chars(std::begin(text), std::end(text), number).ptr;
-  return { std::begin(text), end };
-}
-
-/** Elements with an undefined value of one of the metrics. */
-vtkIdType CountUndefined(vtkPolyData* mesh, const pemesh::MeshValues& values,
-  const std::vector<const pemesh::Metric*>& metrics)
-{
-  std::vector<char> undefined(static_cast<std::size_t>(mesh->GetNumberOfPolys()), 0);
-  for (const pemesh::Metric* metric : metrics)
-  {
-    const std::span<const double> own = values.Get(metric->Name);
-    for (std::size_t i = 0; i < undefined.size(); ++i)
-    {
-      undefined[i] |= static_cast<char>(own.empty() || !std::isfinite(own[i]));
-    }
-  }
-  return std::ranges::count(undefined, 1);
-}
-
-vtkIdType CountTriangles(vtkPolyData* mesh)
-{
-  vtkIdType count = 0;
-  for (vtkIdType element = 0; element < mesh->GetNumberOfPolys(); ++element)
-  {
-    count += mesh->GetPolys()->GetCellSize(element) == 3 ? 1 : 0;
-  }
-  return count;
-}
-
-void AddMeshColumns(vtkTable* table, vtkPolyData* mesh, pemesh::MeshValues& values,
-  const std::vector<std::string>& names, const std::vector<const pemesh::Metric*>& metrics)
-{
-  pemesh::MeshMeasures measures;
-  measures.Elements = mesh->GetNumberOfPolys();
-  measures.Vertices = mesh->GetNumberOfPoints();
-  measures.Triangles = CountTriangles(mesh);
-  measures.Undefined = CountUndefined(mesh, values, metrics);
-  for (const std::string& name : names)
-  {
-    const pemesh::MeshMetric& metric = *pemesh::FindMeshMetric(name);
-    measures.Base = values.Get(metric.Base);
-    measures.Neighbours = metric.NeedsNeighbours ? values.GetNeighbours() : nullptr;
-    const double value = metric.Function(measures);
-    metric.IsCount ? AddId(table, name, static_cast<vtkIdType>(value))
-                   : AddNumber(table, name, value);
-  }
-}
-
-/** A field value of the mesh as a column, a number or a text; NaN where there is none. */
-void AddFieldColumn(vtkTable* table, vtkPolyData* mesh, const std::string& name)
-{
-  if (vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(name.c_str())))
-  {
-    AddText(table, name, pemesh::GetFieldText(mesh, name));
-  }
-  else
-  {
-    AddNumber(table, name, pemesh::GetFieldNumber(mesh, name));
-  }
-}
-
-void AddParameterColumns(vtkTable* table, vtkPolyData* mesh)
-{
-  auto* names =
-    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(pemesh::ParametersList));
-  for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)
-  {
-    if (!table->GetColumnByName(names->GetValue(i).c_str()))
-    {
-      AddFieldColumn(table, mesh, names->GetValue(i));
-    }
-  }
-}
-
-bool EndsWith(const std::string& text, const std::string& end)
-{
-  return text.size() > end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
-
-/** Provenance and performances: numbers, and what the runs say of themselves. */
-void AddOtherFieldColumns(vtkTable* table, vtkPolyData* mesh)
-{
-  vtkFieldData* fields = mesh->GetFieldData();
-  for (int i = 0; i < fields->GetNumberOfArrays(); ++i)
-  {
-    vtkAbstractArray* array = fields->GetAbstractArray(i);
-    if (!array->GetName() || array->GetNumberOfValues() != 1 ||
-      table->GetColumnByName(array->GetName()))
-    {
-      continue;
-    }
-    const std::string name = array->GetName();
-    if (vtkDataArray::SafeDownCast(array) || EndsWith(name, "_Status") ||
-      EndsWith(name, "_StatusMessage"))
-    {
-      AddFieldColumn(table, mesh, name);
-    }
-  }
-}
-
-void CopyList(vtkTable* table, vtkPolyData* mesh, const char* list)
-{
-  if (vtkAbstractArray* names = mesh->GetFieldData()->GetAbstractArray(list))
-  {
-    table->GetFieldData()->AddArray(names);
-  }
-}
-
-/** What is told of the values of a metric. */
-struct SummaryChoice
-{
-  std::vector<const pemesh::Statistic*> Statistics;
-  std::vector<const pemesh::ElementGroup*> Groups;
-  std::vector<std::vector<unsigned char>> Members; // a group each; empty for all elements
-  std::vector<double> Quantiles;
-  int Bins = 0;
-  std::span<const double> Areas;
-};
-
-pemesh::ValueSummary SummarizeGroup(std::span<const double> values,
-  std::span<const unsigned char> members, vtkIdType elements, const SummaryChoice& choice)
-{
-  const bool spread = std::ranges::any_of(
-    choice.Statistics, [](const pemesh::Statistic* statistic) { return statistic->NeedsSpread; });
-  pemesh::ValueSummary summary = pemesh::SummarizeValues(values, members, choice.Areas, spread);
-  if (values.empty()) // never measured
-  {
-    summary.Undefined =
-      members.empty() ? elements : static_cast<vtkIdType>(std::ranges::count(members, 1));
-  }
-  return summary;
-}
-
-/** The columns of one metric: each group in turn. */
-std::vector<Cell> MakeMetricCells(const std::string& name, std::span<const double> values,
-  vtkIdType elements, const SummaryChoice& choice)
-{
-  std::vector<Cell> cells;
-  for (std::size_t g = 0; g < choice.Groups.size(); ++g)
-  {
-    const std::span<const unsigned char> members = choice.Members[g];
-    const std::string suffix = choice.Groups[g]->Suffix;
-    const pemesh::ValueSummary summary = SummarizeGroup(values, members, elements, choice);
-    for (const pemesh::Statistic* statistic : choice.Statistics)
-    {
-      cells.push_back(
-        MakeNumber(name + "_" + statistic->Suffix + suffix, statistic->Function(summary)));
-    }
-    for (const pemesh::Statistic* statistic : choice.Statistics)
-    {
-      if (statistic->Element)
-      {
-        cells.push_back(MakeId(
-          name + "_" + statistic->Suffix + "_element" + suffix, statistic->Element(summary)));
-      }
-    }
-    if (choice.Quantiles.empty() && choice.Bins == 0)
-    {
-      continue;
-    }
-    const std::vector<double> sorted = pemesh::SortValues(values, members);
-    for (const double fraction : choice.Quantiles)
-    {
-      cells.push_back(
-        MakeNumber(name + "_q" + ShortText(fraction) + suffix, pemesh::Quantile(sorted, fraction)));
-    }
-    const std::vector<vtkIdType> counts = pemesh::Histogram(sorted, choice.Bins);
-    for (std::size_t bin = 0; bin < counts.size(); ++bin)
-    {
-      cells.push_back(MakeId(name + "_bin" + std::to_string(bin + 1) + suffix, counts[bin]));
-    }
-  }
-  return cells;
-}
-
-/** Each metric by itself, so that threads change nothing. */
-void AddMetricColumns(vtkTable* table, vtkPolyData* mesh, const pemesh::MeshValues& values,
-  const std::vector<const pemesh::Metric*>& metrics, const SummaryChoice& choice)
-{
-  std::vector<std::vector<Cell>> cells(metrics.size());
-  pemesh::ParallelLoop(0, static_cast<vtkIdType>(metrics.size()), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        const auto place = static_cast<std::size_t>(i);
-        const char* name = metrics[place]->Name;
-        cells[place] = MakeMetricCells(name, values.Get(name), mesh->GetNumberOfPolys(), choice);
-      }
-    });
-  for (const std::vector<Cell>& row : cells)
-  {
-    AddCells(table, row);
-  }
-}
 
 /** Whether a metric is cheap enough to be measured for a number of the mesh that needs it. */
 bool IsCheap(const pemesh::Metric& metric)
@@ -434,11 +174,11 @@ int vtkPEMMetricSummary::RequestData(vtkInformation* vtkNotUsed(request),
 {
   vtkPolyData* mesh = vtkPolyData::GetData(inputVector[0]);
   vtkTable* table = vtkTable::GetData(outputVector);
-  AddText(table, pemesh::MeshNameField, pemesh::GetFieldText(mesh, pemesh::MeshNameField));
-  AddParameterColumns(table, mesh);
+  pemesh::AddText(table, pemesh::MeshNameField, pemesh::GetFieldText(mesh, pemesh::MeshNameField));
+  pemesh::AddParameterColumns(table, mesh);
   const std::vector<const pemesh::Metric*> metrics = pemesh::SelectMetrics(this->Metrics);
   const std::vector<std::string> meshMetrics = this->GetMeshMetrics();
-  SummaryChoice choice;
+  pemesh::SummaryChoice choice;
   choice.Quantiles = this->Quantiles;
   choice.Bins = this->HistogramBins;
   for (const std::string& name : this->Statistics)
@@ -457,14 +197,14 @@ int vtkPEMMetricSummary::RequestData(vtkInformation* vtkNotUsed(request),
   values.Provide(this->FindBaseMetrics());
   pemesh::ReportProgress(this, 0.3);
   choice.Areas = values.Get("Area");
-  AddMeshColumns(table, mesh, values, meshMetrics, metrics);
+  pemesh::AddMeshColumns(table, mesh, values, meshMetrics, metrics);
   pemesh::ReportProgress(this, 0.6);
-  AddMetricColumns(table, mesh, values, metrics, choice);
-  AddOtherFieldColumns(table, mesh);
-  AddText(table, "Status", pemesh::GetCaseStatus(mesh));
-  AddText(table, "StatusMessage", pemesh::GetCaseStatusMessage(mesh));
-  CopyList(table, mesh, pemesh::ParametersList);
-  CopyList(table, mesh, pemesh::MeasuredList);
+  pemesh::AddMetricColumns(table, mesh, values, metrics, choice);
+  pemesh::AddOtherFieldColumns(table, mesh);
+  pemesh::AddText(table, "Status", pemesh::GetCaseStatus(mesh));
+  pemesh::AddText(table, "StatusMessage", pemesh::GetCaseStatusMessage(mesh));
+  pemesh::CopyList(table, mesh, pemesh::ParametersList);
+  pemesh::CopyList(table, mesh, pemesh::MeasuredList);
   return 1;
 }
 
