@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "AgglomerationState.h"
+#include "RandomNumbers.h"
 #include "RuleFunctions.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <random>
 #include <vector>
 
 namespace pemesh
@@ -16,19 +16,12 @@ namespace pemesh
 namespace
 {
 
-/** Uniform in [0, count): multiplies instead of rejecting, the same with every library. */
-int RandomBelow(std::mt19937_64& engine, int count)
-{
-  return static_cast<int>(
-    ((engine() >> 32) * static_cast<std::uint64_t>(static_cast<unsigned int>(count))) >> 32);
-}
-
 class RandomMerger
 {
 public:
   explicit RandomMerger(AgglomerationState& state)
     : State(state)
-    , Engine(static_cast<std::uint64_t>(state.Parameters.Get("seed")))
+    , Random(static_cast<std::uint64_t>(state.Parameters.Get("seed")))
     , Waiting(static_cast<std::size_t>(state.Merger.GetMesh().NumberOfElements()))
   {
     std::iota(this->Waiting.begin(), this->Waiting.end(), 0);
@@ -76,7 +69,7 @@ private:
     for (std::size_t i = 0; i < count; ++i)
     {
       int& chosen = this->Candidates[static_cast<std::size_t>(
-        RandomBelow(this->Engine, static_cast<int>(this->Candidates.size())))];
+        this->Random.Below(static_cast<int>(this->Candidates.size())))];
       this->Batch.push_back(chosen);
       chosen = this->Candidates.back();
       this->Candidates.pop_back();
@@ -97,7 +90,7 @@ private:
       return false;
     }
     int side = merger.GetFirstSide(group);
-    for (int i = RandomBelow(this->Engine, merger.GetNumberOfSides(group)); i > 0; --i)
+    for (int i = this->Random.Below(merger.GetNumberOfSides(group)); i > 0; --i)
     {
       side = merger.GetNextSide(side);
     }
@@ -134,7 +127,7 @@ private:
   }
 
   AgglomerationState& State;
-  std::mt19937_64 Engine;
+  RandomNumbers Random;
   std::vector<int> Candidates;
   std::vector<int> Batch;
   std::vector<int> Waiting;
