@@ -12,6 +12,7 @@
 #include "Study.h"
 #include "TableRows.h"
 #include "Terminal.h"
+#include "ValueStatistics.h"
 #include "vtkPEMMeshReader.h"
 #include "vtkPEMMetricSummary.h"
 #include "vtkPEMMetrics.h"
@@ -263,7 +264,7 @@ void AddMetricsCommand(CLI::App& program, int& exitCode)
     ->delimiter(',')
     ->check(CLI::Range(0.0, 1.0));
   metrics->add_option("--histogram", settings.HistogramBins, "Bins of a histogram of each metric")
-    ->check(CLI::Range(0, 10000));
+    ->check(CLI::Range(0, MostHistogramBins));
   metrics->add_option("--selection", settings.Selection,
     std::string("Elements of the group selected: ") + ElementSelectionForm +
       ", as in MinAngle:0.1:0.5 or MinAngle::0.5, or a cell array that is not zero there");

@@ -33,14 +33,15 @@ ElementSelection ParseElementSelection(const std::string& text, std::string& fau
   const std::size_t second = text.rfind(':');
   const std::size_t first =
     second == std::string::npos || second == 0 ? std::string::npos : text.rfind(':', second - 1);
-  if (second == std::string::npos)
+  const bool isComparison = text.find_first_of("<>=") != std::string::npos;
+  if (second == std::string::npos && !isComparison)
   {
     selection.Array = text;
     return selection;
   }
   selection.HasRange = true;
   selection.Array = first == std::string::npos ? std::string() : text.substr(0, first);
-  if (selection.Array.empty() ||
+  if (selection.Array.empty() || isComparison ||
     !ReadBound(text.substr(first + 1, second - first - 1), selection.Minimum) ||
     !ReadBound(text.substr(second + 1), selection.Maximum))
   {
@@ -61,7 +62,7 @@ std::string DescribeMissingSelection(const std::string& array)
 {
   return "The mesh has no cell array \"" + array +
     "\" to select elements by, and there is no such metric; the nearest metric is \"" +
-    MetricChoices().Nearest(array) + "\".";
+    MetricNameChoices().Nearest(array) + "\".";
 }
 
 } // namespace pemesh

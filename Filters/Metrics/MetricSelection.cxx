@@ -45,7 +45,7 @@ const MetricCollection* FindMetricCollection(std::string_view name)
   return found == MetricCollections().end() ? nullptr : &*found;
 }
 
-NameChoices MakeMetricChoices()
+NameChoices MakeMetricNameChoices()
 {
   NameChoices choices{ "metric", NamesIn(Metrics()), {} };
   for (const Metric& metric : Metrics())
@@ -55,10 +55,6 @@ NameChoices MakeMetricChoices()
     {
       choices.Known.emplace_back(metric.Alias);
     }
-  }
-  for (const MetricCollection& collection : MetricCollections())
-  {
-    choices.Known.emplace_back(collection.Name);
   }
   return choices;
 }
@@ -132,9 +128,23 @@ std::string NameChoices::WhyUnknown(const std::vector<std::string>& names) const
   return {};
 }
 
+const NameChoices& MetricNameChoices()
+{
+  static const NameChoices choices = MakeMetricNameChoices();
+  return choices;
+}
+
 const NameChoices& MetricChoices()
 {
-  static const NameChoices choices = MakeMetricChoices();
+  static const NameChoices choices = []
+  {
+    NameChoices made = MetricNameChoices();
+    for (const MetricCollection& collection : MetricCollections())
+    {
+      made.Known.emplace_back(collection.Name);
+    }
+    return made;
+  }();
   return choices;
 }
 
@@ -142,7 +152,7 @@ const NameChoices& MeshMetricChoices()
 {
   static const NameChoices choices = []
   {
-    NameChoices made{ "metric of a mesh", MeshMetricNames(), {} };
+    NameChoices made{ "metric of a mesh", MeshMetricNames(), { { "rho", "MeshRho" } } };
     made.Known.insert(made.Known.end(), { UsualWord, AllWord });
     return made;
   }();
@@ -163,7 +173,7 @@ const NameChoices& ElementGroupChoices()
 
 std::string DescribeUnknownMetric(std::string_view name)
 {
-  return MetricChoices().WhyUnknown({ std::string(name) });
+  return MetricNameChoices().WhyUnknown({ std::string(name) });
 }
 
 std::vector<const Metric*> SelectMetrics(const std::vector<std::string>& names)

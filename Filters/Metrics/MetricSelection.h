@@ -34,6 +34,8 @@ struct PEMESHFILTERSMETRICS_EXPORT NameChoices
 };
 
 ///@{
+/** The names and aliases of all metrics. */
+PEMESHFILTERSMETRICS_EXPORT const NameChoices& MetricNameChoices();
 /** What may be chosen; of metrics also "all", "jumps", …, of numbers of a mesh "usual", "all". */
 PEMESHFILTERSMETRICS_EXPORT const NameChoices& MetricChoices();
 PEMESHFILTERSMETRICS_EXPORT const NameChoices& MeshMetricChoices();

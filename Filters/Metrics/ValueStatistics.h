@@ -89,6 +89,9 @@ PEMESHFILTERSMETRICS_EXPORT std::vector<double> SortValues(
  */
 PEMESHFILTERSMETRICS_EXPORT double Quantile(std::span<const double> sorted, double fraction);
 
+/** Bound on the bins of a histogram, to tell a slip from a wish. */
+inline constexpr int MostHistogramBins = 10000;
+
 /** How many sorted values are in each of equal parts of their range; the last includes its end. */
 PEMESHFILTERSMETRICS_EXPORT std::vector<vtkIdType> Histogram(
   std::span<const double> sorted, int bins);

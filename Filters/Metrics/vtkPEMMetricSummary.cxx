@@ -97,6 +97,17 @@ void vtkPEMMetricSummary::SetQuantiles(const std::vector<double>& fractions)
   }
 }
 
+void vtkPEMMetricSummary::SetHistogramBins(int bins)
+{
+  const int most = pemesh::MostHistogramBins;
+  const int clamped = std::clamp(bins, 0, most);
+  if (clamped != this->HistogramBins)
+  {
+    this->HistogramBins = clamped;
+    this->Modified();
+  }
+}
+
 void vtkPEMMetricSummary::SetSelection(const std::string& text)
 {
   std::string fault;

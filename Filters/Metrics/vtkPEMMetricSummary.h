@@ -94,8 +94,8 @@ public:
   ///@}
 
   ///@{
-  /** Parts of the histogram of each metric. Valid range [0, 10000]. Default: 0, no histogram. */
-  vtkSetClampMacro(HistogramBins, int, 0, 10000);
+  /** Bins of the histogram of each metric, clamped to [0, 10000]. Default: 0, no histogram. */
+  void SetHistogramBins(int bins);
   vtkGetMacro(HistogramBins, int);
   ///@}
 

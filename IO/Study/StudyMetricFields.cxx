@@ -3,6 +3,7 @@
 #include "ElementSelection.h"
 #include "MetricSelection.h"
 #include "StudyFields.h"
+#include "ValueStatistics.h"
 
 #include <set>
 
@@ -14,7 +15,6 @@ namespace
 
 constexpr const char* NamesKey = "names";
 constexpr const char* SelectedGroup = "selected";
-constexpr int MostBins = 10000;
 
 /** Texts that are names of a table, each once. */
 std::vector<std::string> ReadNames(
@@ -116,7 +116,7 @@ const FieldTable<StudyMetrics>& MetricFields()
       NamesField("groups", &StudyMetrics::Groups, ElementGroupChoices(),
         "Over which elements, of " + ShowChoices(ElementGroupChoices().Known) + "."),
       QuantilesField(),
-      IntegerField("histogram", &StudyMetrics::HistogramBins, 0, MostBins,
+      IntegerField("histogram", &StudyMetrics::HistogramBins, 0, MostHistogramBins,
         "Bins of a histogram of each metric; 0: none."),
       SelectionField() };
     return table;

@@ -9,6 +9,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -107,6 +108,8 @@ TEST(MetricsCommand, WrongChoicesAreRefusedInASentence)
     { { "--groups", "all,selected" }, "needs --selection" },
     { { "--selection", "MinAngle:0:1" }, "--groups all,selected" },
     { { "--groups", "selected", "--selection", "MinAngle<1:" }, "METRIC:FROM:TO" },
+    { { "--groups", "selected", "--selection", "MinAngle<0.5" }, "METRIC:FROM:TO" },
+    { { "--mesh", "rho" }, "nearest is \"MeshRho\"" },
     { { "--groups", "selected", "--selection", "MinAngle:2:1" }, "begins at 2 and ends at 1" },
   };
   for (const auto& [options, sentence] : cases)
@@ -135,6 +138,8 @@ TEST(MetricsCommand, UndefinedIsNaNAndCounted)
       "--quantiles", "0.5" });
   ASSERT_EQ(run.ExitCode, 0) << run.Errors;
   const auto table = pemesh::ReadCsvFile(folder / "m.csv");
+  EXPECT_EQ(run.Errors.find("pemesh: "), 0U) << "the warning is said in our words,";
+  EXPECT_EQ(std::ranges::count(run.Errors, '\n'), 1) << "and once";
   EXPECT_EQ(Value(table, 0, "UndefinedElements"), 1);
   EXPECT_EQ(Value(table, 0, "MinAngle_undefined"), 1);
   EXPECT_EQ(Value(table, 0, "KernelArea_mean"), 1.0) << "of the square alone";
