@@ -26,6 +26,8 @@ constexpr ChartColor FillerColor = { 238, 238, 238, 255 };
 constexpr ChartColor OutlineInk = { 40, 40, 40, 255 };
 constexpr ChartColor SmallestInk = { 0, 0, 0, 255 };
 constexpr ChartColor LargestInk = { 213, 94, 0, 255 };
+constexpr ChartColor MarkedInk = { 220, 0, 130, 255 };
+constexpr ChartColor MarkedColor = { 252, 212, 233, 255 };
 constexpr int CellLevels = 256;
 constexpr int PointLevels = 128;
 constexpr double SeamWidth = 0.03; // ems
@@ -97,10 +99,11 @@ std::string MeshPainter::MakeNote() const
 {
   if (this->NumberOfElements() == 0 || this->Uncoloured == 0)
   {
-    return {};
+    return this->Style.MarkNote;
   }
   const bool logarithmic = this->Colors.Logarithmic;
-  return "Grey: " + std::to_string(this->Uncoloured) +
+  return this->Style.MarkNote + (this->Style.MarkNote.empty() ? "" : " ") +
+    "Grey: " + std::to_string(this->Uncoloured) +
     (this->Style.CellValues ? (this->Uncoloured == 1 ? " element" : " elements")
                             : (this->Uncoloured == 1 ? " vertex" : " vertices")) +
     " undefined" + (logarithmic ? " or not positive (logarithmic colours)." : ".");
@@ -214,6 +217,12 @@ void MeshPainter::FillPlain()
     batch.Add(this->ElementInDevice(element));
   }
   this->FillBatch(batch, PlainColor, SeamWidth);
+  PolygonBatch marked; // frames alone do not tell on which side of them the elements are
+  for (const vtkIdType element : this->Style.Marked)
+  {
+    marked.Add(this->ElementInDevice(element));
+  }
+  this->FillBatch(marked, MarkedColor, SeamWidth);
 }
 
 void MeshPainter::FillByCells()
@@ -355,7 +364,8 @@ void MeshPainter::MarkElement(vtkIdType element, const ChartColor& color)
     high[1] = std::max(high[1], point.y);
   }
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);
-  if (extent < 2.0 * this->Em)
+  constexpr std::size_t mostRings = 30; // more would hide what they are around
+  if (extent < 2.0 * this->Em && this->Style.Marked.size() <= mostRings)
   {
     // A ring around an element that would be overlooked.
     const double radius = 0.5 * extent + 0.9 * this->Em;
@@ -416,6 +426,10 @@ void MeshPainter::Paint(const Box& whole)
     this->FillPlain();
   }
   this->DrawOutlines();
+  for (const vtkIdType element : this->Style.Marked)
+  {
+    this->MarkElement(element, MarkedInk);
+  }
   this->MarkElement(this->Smallest, SmallestInk);
   this->MarkElement(this->Largest, LargestInk);
 }

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 vtkStandardNewMacro(vtkPEMMeshView);
@@ -139,6 +140,17 @@ bool vtkPEMMeshView::SetHighlightByName(const std::string& name)
   return true;
 }
 
+void vtkPEMMeshView::SetMarkedElements(
+  const std::vector<vtkIdType>& elements, const std::string& note)
+{
+  if (this->MarkedElements != elements)
+  {
+    this->MarkedElements = elements;
+    this->Modified();
+  }
+  this->SetText(this->MarkNote, note);
+}
+
 std::string vtkPEMMeshView::WhyNotDrawable()
 {
   if (!this->Mesh)
@@ -217,6 +229,9 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
   style.OutlinesAreAutomatic = this->Outlines == OUTLINES_AUTOMATIC;
   style.MarkSmallest = this->Highlight == HIGHLIGHT_MIN || this->Highlight == HIGHLIGHT_BOTH;
   style.MarkLargest = this->Highlight == HIGHLIGHT_MAX || this->Highlight == HIGHLIGHT_BOTH;
+  std::ranges::copy_if(this->MarkedElements, std::back_inserter(style.Marked),
+    [&](vtkIdType element) { return element >= 0 && element < this->Mesh->GetNumberOfCells(); });
+  style.MarkNote = this->MarkNote;
 
   const double* rectangle = this->GetRectangle();
   pemesh::MeshPainter painter(context, this->GetFontSize(), this->Mesh, style);
@@ -245,6 +260,8 @@ void vtkPEMMeshView::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorRange: " << this->ColorRange[0] << " " << this->ColorRange[1] << "\n";
   os << indent << "Outlines: " << this->Outlines << "\n";
   os << indent << "Highlight: " << HighlightNames[this->Highlight] << "\n";
+  os << indent << "MarkedElements: " << this->MarkedElements.size() << "\n";
+  os << indent << "MarkNote: " << this->MarkNote << "\n";
   os << indent << "ToDevice: " << this->ToDevice[0] << " " << this->ToDevice[1] << " "
      << this->ToDevice[2] << "\n";
 }

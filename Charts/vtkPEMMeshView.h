@@ -115,6 +115,15 @@ public:
   bool SetHighlightByName(const std::string& name);
   ///@}
 
+  ///@{
+  /**
+   * Elements to frame, by id, and a sentence about them for the note below the mesh. Ids that are
+   * no element are passed over. Default: none.
+   */
+  void SetMarkedElements(const std::vector<vtkIdType>& elements, const std::string& note);
+  std::vector<vtkIdType> GetMarkedElements() const { return this->MarkedElements; }
+  ///@}
+
   std::string WhyNotDrawable() override;
   double GetPreferredAspect() override;
 
@@ -147,6 +156,8 @@ private:
   double ColorRange[2];
   int Outlines = OUTLINES_AUTOMATIC;
   int Highlight = HIGHLIGHT_NONE;
+  std::vector<vtkIdType> MarkedElements;
+  std::string MarkNote;
   double ToDevice[3] = { 0.0, 0.0, 1.0 }; // offsets and scale of the last painting
 };
 

@@ -8,13 +8,16 @@
 #include "Commands.h"
 #include "DomainShapes.h"
 #include "MeshChecks.h"
+#include "MeshMetrics.h"
 #include "MetricRegistry.h"
+#include "NumberText.h"
 #include "PolygonFamilies.h"
 #include "SolverDescription.h"
 #include "SolverDescriptionFile.h"
 #include "Terminal.h"
 #include "Tessellations.h"
 #include "TestProblems.h"
+#include "ValueStatistics.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -24,6 +27,7 @@
 #include <iostream>
 #include <map>
 #include <memory>
+#include <stdexcept>
 
 namespace pemesh
 {
@@ -78,12 +82,17 @@ Json CollectionsOf(const Metric& metric)
   return names;
 }
 
+const char* WordForGood(int good)
+{
+  return good > 0 ? "up" : good < 0 ? "down" : "none";
+}
+
 Json MetricsAsJson()
 {
   Json list = Json::array();
   for (const Metric& metric : Metrics())
   {
-    const char* good = metric.Good > 0 ? "up" : metric.Good < 0 ? "down" : "none";
+    const char* good = WordForGood(metric.Good);
     list.push_back(
       { { "name", metric.Name }, { "symbol", metric.Symbol }, { "label", metric.Label },
         { "formula", metric.Formula }, { "tex", metric.Tex }, { "description", metric.Description },
@@ -94,6 +103,42 @@ Json MetricsAsJson()
         { "test", MetricTest(metric) } });
   }
   return list;
+}
+
+Json MeshMetricsAsJson()
+{
+  Json list = Json::array();
+  for (const MeshMetric& metric : MeshMetrics())
+  {
+    list.push_back({ { "name", metric.Name }, { "label", metric.Label },
+      { "formula", metric.Formula }, { "tex", metric.Tex }, { "description", metric.Description },
+      { "good", WordForGood(metric.Good) }, { "unit", metric.Unit },
+      { "reference", metric.Reference }, { "base", metric.Base } });
+  }
+  return list;
+}
+
+/** Of a table of what columns of a summary are made of. */
+template <typename Table>
+Json SuffixesAsJson(const Table& table)
+{
+  Json list = Json::array();
+  for (const auto& entry : table)
+  {
+    list.push_back(
+      { { "name", entry.Name }, { "suffix", entry.Suffix }, { "description", entry.Description } });
+  }
+  return list;
+}
+
+Json StatisticsAsJson()
+{
+  return SuffixesAsJson(Statistics());
+}
+
+Json GroupsAsJson()
+{
+  return SuffixesAsJson(ElementGroups());
 }
 
 Json SolversAsJson()
@@ -214,6 +259,35 @@ void PrintTable(const Json& list, const std::vector<std::string>& columns)
   }
 }
 
+/** The entry of that name; throws a sentence with the nearest one. */
+Json FindEntry(const Json& list, const std::string& what, const std::string& name)
+{
+  std::vector<std::string> names;
+  for (const Json& entry : list)
+  {
+    names.push_back(entry["name"].get<std::string>());
+    if (names.back() == name)
+    {
+      return Json::array({ entry });
+    }
+  }
+  throw std::runtime_error("There is no \"" + name + "\" among the " + what +
+    "; the nearest is \"" + NearestWord(name, names) + "\".");
+}
+
+/** All of one entry, a line a key. */
+void PrintEntry(const Json& entry)
+{
+  for (const auto& [key, value] : entry.items())
+  {
+    if (!value.empty() && value != "")
+    {
+      std::cout << key << ": " << (value.is_string() ? value.get<std::string>() : value.dump())
+                << "\n";
+    }
+  }
+}
+
 struct Listing
 {
   const char* Name;
@@ -225,7 +299,10 @@ const std::vector<Listing>& Listings()
 {
   static const std::vector<Listing> listings = {
     { "families", FamiliesAsJson, { "name", "description" } },
-    { "metrics", MetricsAsJson, { "name", "symbol", "range", "unit", "formula" } },
+    { "metrics", MetricsAsJson, { "name", "symbol", "range", "good", "unit", "formula" } },
+    { "mesh-metrics", MeshMetricsAsJson, { "name", "good", "unit", "description" } },
+    { "statistics", StatisticsAsJson, { "name", "suffix", "description" } },
+    { "groups", GroupsAsJson, { "name", "suffix", "description" } },
     { "solvers", SolversAsJson, { "name", "label" } },
     { "problems", ProblemsAsJson, { "name", "formula" } },
     { "domains", DomainsAsJson, { "name", "description" } },
@@ -243,6 +320,7 @@ void AddListCommand(CLI::App& program, int& exitCode)
   struct Arguments
   {
     std::string What;
+    std::string Name;
     bool AsJson = false;
   };
   auto arguments = std::make_shared<Arguments>();
@@ -252,11 +330,12 @@ void AddListCommand(CLI::App& program, int& exitCode)
     names.emplace_back(listing.Name);
   }
   CLI::App* command = program.add_subcommand("list",
-    "List polygon families, domains, sources of meshes, rules, metrics, checks, solvers or test "
-    "problems");
+    "List polygon families, domains, sources of meshes, rules, metrics, checks, solvers, test "
+    "problems and more");
   command->add_option("WHAT", arguments->What, "What to list")
     ->required()
     ->check(CLI::IsMember(names));
+  command->add_option("NAME", arguments->Name, "One of them: prints all that is known of it");
   command->add_flag("--json", arguments->AsJson, "As JSON, with everything that is known");
   command->callback(
     [arguments, &exitCode]
@@ -265,9 +344,17 @@ void AddListCommand(CLI::App& program, int& exitCode)
       {
         if (arguments->What == listing.Name)
         {
-          const Json list = listing.Make();
-          arguments->AsJson ? void(std::cout << list.dump(2) << "\n")
-                            : PrintTable(list, listing.Columns);
+          const Json all = listing.Make();
+          const bool isOne = !arguments->Name.empty();
+          const Json list = isOne ? FindEntry(all, arguments->What, arguments->Name) : all;
+          if (arguments->AsJson)
+          {
+            std::cout << list.dump(2) << "\n";
+          }
+          else
+          {
+            isOne ? PrintEntry(list.front()) : PrintTable(list, listing.Columns);
+          }
         }
       }
       exitCode = AllDone;

@@ -6,26 +6,35 @@
 #include "CaseStatus.h"
 #include "Commands.h"
 #include "CsvTable.h"
+#include "ElementSelection.h"
 #include "MetricSelection.h"
+#include "MetricSettings.h"
+#include "Study.h"
 #include "TableRows.h"
 #include "Terminal.h"
+#include "ValueStatistics.h"
 #include "vtkPEMMeshReader.h"
 #include "vtkPEMMetricSummary.h"
 #include "vtkPEMMetrics.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <csignal>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
 
+#include <vtkCallbackCommand.h>
 #include <vtkCellData.h>
+#include <vtkCommand.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
+#include <vtkVariant.h>
 
 namespace pemesh
 {
@@ -40,34 +49,42 @@ struct MetricsArguments
   std::vector<std::string> Meshes;
   std::string Output;
   std::string Cells;
-  std::vector<std::string> Only;
-  std::vector<std::string> Statistics = { "min", "max", "mean" };
-  std::vector<std::string> Groups = { "all" };
-  std::vector<double> Quantiles;
-  int Bins = 0;
-  std::string Selection;
+  StudyMetrics Settings;
 };
 
-void CheckNames(const MetricsArguments& arguments)
+/** Set by an interrupt from the keyboard: what is measured by then is written. */
+volatile std::sig_atomic_t IsInterrupted = 0;
+
+void Interrupt(int)
 {
-  for (const std::string& problem : { WhyUnknownMetric(arguments.Only),
-         vtkPEMMetricSummary::WhyUnknownStatistic(arguments.Statistics),
-         vtkPEMMetricSummary::WhyUnknownGroup(arguments.Groups) })
+  IsInterrupted = 1;
+}
+
+/** Throws the sentence about the first choice that is wrong. */
+void CheckSettings(const StudyMetrics& settings)
+{
+  std::string fault;
+  ParseElementSelection(settings.Selection, fault);
+  const bool asksForSelected = std::ranges::count(settings.Groups, "selected") > 0;
+  if (asksForSelected && settings.Selection.empty())
+  {
+    fault = std::string("The group selected needs --selection: say which elements, as ") +
+      ElementSelectionForm + " or by the name of a cell array.";
+  }
+  else if (!asksForSelected && !settings.Selection.empty() && fault.empty())
+  {
+    fault = "--selection is of no use without the group selected: add --groups all,selected.";
+  }
+  for (const std::string& problem :
+    { MetricChoices().WhyUnknown(settings.Names), MeshMetricChoices().WhyUnknown(settings.Mesh),
+      StatisticChoices().WhyUnknown(settings.Statistics),
+      ElementGroupChoices().WhyUnknown(settings.Groups), fault })
   {
     if (!problem.empty())
     {
       throw std::runtime_error(problem);
     }
   }
-}
-
-void Configure(vtkPEMMetricSummary* summary, const MetricsArguments& arguments)
-{
-  summary->SetStatistics(arguments.Statistics);
-  summary->SetGroups(arguments.Groups);
-  summary->SetQuantiles(arguments.Quantiles);
-  summary->SetHistogramBins(arguments.Bins);
-  summary->SetSelectionArray(arguments.Selection);
 }
 
 /** One row an element: its number, vertices and metrics. */
@@ -92,52 +109,128 @@ vtkSmartPointer<vtkTable> MakeCellTable(vtkPolyData* mesh)
   return table;
 }
 
-int Measure(const MetricsArguments& arguments)
+/** Stops a filter at its next sign of progress after an interrupt. */
+vtkSmartPointer<vtkCallbackCommand> MakeStopper()
 {
-  CheckNames(arguments);
-  vtkNew<vtkPEMMeshReader> reader;
-  reader->SetFileNames(arguments.Meshes);
-  vtkNew<vtkPEMMetrics> metrics;
-  metrics->SetInputConnection(reader->GetOutputPort());
-  vtkNew<vtkPEMMetricSummary> summary;
-  summary->SetInputConnection(metrics->GetOutputPort());
-  if (!arguments.Only.empty())
-  {
-    metrics->SetMetrics(arguments.Only);
-    summary->SetMetrics(arguments.Only);
-  }
-  Configure(summary, arguments);
-  reader->ReleaseDataFlagOn();
-  int failures = 0;
-  vtkNew<vtkTable> rows;
-  for (int i = 0; i < reader->GetNumberOfFileNames(); ++i)
-  {
-    summary->UpdateTimeStep(i);
-    vtkPolyData* mesh = metrics->GetOutput();
-    AppendTableRows(rows, summary->GetOutput());
-    if (IsCaseFailed(mesh))
+  auto stopper = vtkSmartPointer<vtkCallbackCommand>::New();
+  stopper->SetCallback(
+    [](vtkObject* filter, unsigned long, void*, void*)
     {
-      Complain(GetCaseStatusMessage(mesh));
-      ++failures;
-    }
-    else if (!arguments.Cells.empty())
-    {
-      WriteCsvFile(
-        fs::path(arguments.Cells) / (reader->GetMeshName(i) + ".csv"), MakeCellTable(mesh));
-    }
-    mesh->ReleaseData(); // so that there is never more than one mesh in memory
-  }
+      if (IsInterrupted)
+      {
+        static_cast<vtkAlgorithm*>(filter)->SetAbortExecute(1);
+      }
+    });
+  return stopper;
+}
+
+void WriteRows(vtkTable* rows, const std::string& output)
+{
   NumberTableRows(rows);
   rows->RemoveColumnByName("StatusMessage");
-  if (arguments.Output.empty())
+  if (output.empty())
   {
     std::cout << FormatCsv(rows);
   }
   else
   {
-    WriteCsvFile(arguments.Output, rows);
+    WriteCsvFile(output, rows);
   }
-  return failures == 0 ? AllDone : PartFailed;
+}
+
+std::string TextOfRow(vtkTable* row, const char* column)
+{
+  return row->GetValueByName(0, column).ToString();
+}
+
+/** Reads, measures and summarizes one mesh after the other. */
+class FileMeasurer
+{
+public:
+  explicit FileMeasurer(const MetricsArguments& arguments)
+    : Cells(arguments.Cells)
+  {
+    this->Reader->SetFileNames(arguments.Meshes);
+    this->Reader->ReleaseDataFlagOn();
+    this->Metrics->SetInputConnection(this->Reader->GetOutputPort());
+    this->Summary->SetInputConnection(this->Metrics->GetOutputPort());
+    ConfigureMetrics(arguments.Settings, this->Metrics, this->Summary);
+    const auto stopper = MakeStopper();
+    this->Metrics->AddObserver(vtkCommand::ProgressEvent, stopper);
+    this->Summary->AddObserver(vtkCommand::ProgressEvent, stopper);
+  }
+
+  int GetNumberOfMeshes() { return this->Reader->GetNumberOfFileNames(); }
+
+  /** Appends the row of a mesh; false if it failed, or was interrupted. */
+  bool Measure(int place, vtkTable* rows)
+  {
+    this->Summary->UpdateTimeStep(place);
+    if (IsInterrupted)
+    {
+      return false; // the row may be of half a mesh
+    }
+    vtkTable* row = this->Summary->GetOutput();
+    vtkPolyData* mesh = this->Metrics->GetOutput();
+    AppendTableRows(rows, row);
+    const bool isGood = TextOfRow(row, "Status") == "ok";
+    if (!isGood)
+    {
+      Complain(TextOfRow(row, "StatusMessage"));
+    }
+    if (!this->Cells.empty() && !IsCaseFailed(mesh))
+    {
+      WriteCsvFile(
+        fs::path(this->Cells) / (this->Reader->GetMeshName(place) + ".csv"), MakeCellTable(mesh));
+    }
+    mesh->ReleaseData(); // so that there is never more than one mesh in memory
+    return isGood;
+  }
+
+private:
+  std::string Cells;
+  vtkNew<vtkPEMMeshReader> Reader;
+  vtkNew<vtkPEMMetrics> Metrics;
+  vtkNew<vtkPEMMetricSummary> Summary;
+};
+
+int Measure(const MetricsArguments& arguments)
+{
+  CheckSettings(arguments.Settings);
+  FileMeasurer measurer(arguments);
+  const int meshes = measurer.GetNumberOfMeshes();
+  std::signal(SIGINT, Interrupt);
+  std::signal(SIGTERM, Interrupt);
+  vtkNew<vtkTable> rows;
+  bool isAllGood = true;
+  for (int i = 0; i < meshes && !IsInterrupted; ++i)
+  {
+    isAllGood = measurer.Measure(i, rows) && isAllGood;
+  }
+  std::signal(SIGINT, SIG_DFL);
+  std::signal(SIGTERM, SIG_DFL);
+  if (IsInterrupted)
+  {
+    Complain("Interrupted: " + std::to_string(rows->GetNumberOfRows()) + " of " +
+      std::to_string(meshes) + " meshes were measured; their rows are written.");
+    isAllGood = false;
+  }
+  if (rows->GetNumberOfRows() > 0)
+  {
+    WriteRows(rows, arguments.Output);
+  }
+  return isAllGood ? AllDone : PartFailed;
+}
+
+/** "min, max, mean" */
+std::string Listed(const NameChoices& choices)
+{
+  std::string text;
+  for (const std::string& name : choices.Known)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
 }
 
 } // namespace
@@ -150,26 +243,31 @@ void AddMetricsCommand(CLI::App& program, int& exitCode)
   metrics->add_option(
     "-o,--output", measure->Output, "Table to write (.csv; default: standard output)");
   metrics->add_option("--cells", measure->Cells, "Folder for a table a mesh, one row an element");
+  StudyMetrics& settings = measure->Settings;
   metrics
-    ->add_option("--only", measure->Only,
+    ->add_option("--only", settings.Names,
       "Metrics, with commas, or all, neighbourhood, jumps, solver (default: all)")
     ->delimiter(',');
   metrics
-    ->add_option("--statistics", measure->Statistics,
-      "Of each metric: min, max, mean, standard-deviation, area-mean, undefined (default: "
-      "min,max,mean)")
+    ->add_option("--mesh", settings.Mesh,
+      "Numbers of whole meshes: " + Listed(MeshMetricChoices()) + " (default: usual)")
     ->delimiter(',');
   metrics
-    ->add_option("--groups", measure->Groups,
-      "Over which elements: all, triangles, polygons, placed, filler, selected (default: all)")
+    ->add_option("--statistics", settings.Statistics,
+      "Of each metric: " + Listed(StatisticChoices()) + " (default: min,max,mean)")
     ->delimiter(',');
-  metrics->add_option("--quantiles", measure->Quantiles, "Fractions between 0 and 1, with commas")
+  metrics
+    ->add_option("--groups", settings.Groups,
+      "Over which elements: " + Listed(ElementGroupChoices()) + " (default: all)")
+    ->delimiter(',');
+  metrics->add_option("--quantiles", settings.Quantiles, "Fractions between 0 and 1, with commas")
     ->delimiter(',')
     ->check(CLI::Range(0.0, 1.0));
-  metrics->add_option("--histogram", measure->Bins, "Parts of a histogram of each metric")
-    ->check(CLI::Range(0, 10000));
-  metrics->add_option(
-    "--selection", measure->Selection, "Cell array that is not zero in the group selected");
+  metrics->add_option("--histogram", settings.HistogramBins, "Bins of a histogram of each metric")
+    ->check(CLI::Range(0, MostHistogramBins));
+  metrics->add_option("--selection", settings.Selection,
+    std::string("Elements of the group selected: ") + ElementSelectionForm +
+      ", as in MinAngle:0.1:0.5 or MinAngle::0.5, or a cell array that is not zero there");
   metrics->callback([measure, &exitCode] { exitCode = Measure(*measure); });
 }
 

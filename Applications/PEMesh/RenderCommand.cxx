@@ -6,13 +6,16 @@
 #include "CaseStatus.h"
 #include "ColumnLabels.h"
 #include "Commands.h"
+#include "ElementSelection.h"
 #include "MetricRegistry.h"
+#include "NumberText.h"
 #include "ResultPanels.h"
 #include "Terminal.h"
 #include "vtkPEMFigure.h"
 #include "vtkPEMMeshReader.h"
 #include "vtkPEMMeshView.h"
 #include "vtkPEMMetrics.h"
+#include "vtkPEMSelectElements.h"
 
 #include <CLI/CLI.hpp>
 
@@ -41,6 +44,7 @@ struct RenderArguments
   std::string Output;
   std::string ColorBy;
   std::string Highlight = "none";
+  std::string Selection;
   std::string Title;
   std::vector<std::string> Captions;
   bool Log = false;
@@ -55,8 +59,23 @@ bool HasArray(vtkPolyData* mesh, const std::string& name)
     mesh->GetPointData()->HasArray(name.c_str());
 }
 
-/** The mesh of a file, measured if it is to be coloured by a metric that it does not hold. */
-vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, const std::string& colorBy)
+/** The metrics among these names of which the mesh has no array. */
+std::vector<std::string> MissingMetrics(vtkPolyData* mesh, const std::vector<std::string>& names)
+{
+  std::vector<std::string> missing;
+  for (const std::string& name : names)
+  {
+    if (!name.empty() && !HasArray(mesh, name) && FindMetric(name))
+    {
+      missing.push_back(name);
+    }
+  }
+  return missing;
+}
+
+/** The mesh of a file, with the metrics that it is to show and does not hold. */
+vtkSmartPointer<vtkPolyData> ReadMesh(
+  const std::string& file, const std::vector<std::string>& arrays)
 {
   vtkNew<vtkPEMMeshReader> reader;
   reader->SetFileName(file);
@@ -66,15 +85,65 @@ vtkSmartPointer<vtkPolyData> ReadMesh(const std::string& file, const std::string
   {
     throw std::runtime_error(GetCaseStatusMessage(mesh));
   }
-  if (!colorBy.empty() && !HasArray(mesh, colorBy) && FindMetric(colorBy))
+  if (const std::vector<std::string> missing = MissingMetrics(mesh, arrays); !missing.empty())
   {
     vtkNew<vtkPEMMetrics> metrics;
     metrics->SetInputData(mesh);
-    metrics->SetMetrics({ colorBy });
+    metrics->SetMetrics(missing);
     metrics->Update();
     mesh = metrics->GetOutput();
   }
   return mesh;
+}
+
+ElementSelection ReadSelection(const std::string& text)
+{
+  std::string fault;
+  ElementSelection selection = ParseElementSelection(text, fault);
+  if (!fault.empty())
+  {
+    throw std::runtime_error(fault);
+  }
+  return selection;
+}
+
+/** "Framed: 3 of 96 elements, MinAngle from 0.1 to 0.5." */
+std::string DescribeMarks(std::size_t marked, vtkIdType all, const ElementSelection& selection)
+{
+  std::string bounds = " not zero";
+  if (selection.HasRange)
+  {
+    const bool hasFrom = std::isfinite(selection.Minimum);
+    const bool hasTo = std::isfinite(selection.Maximum);
+    bounds = hasFrom ? " from " + FormatNumber(selection.Minimum) : std::string();
+    bounds += hasTo ? (hasFrom ? " to " : " up to ") + FormatNumber(selection.Maximum) : "";
+    bounds += !hasTo && hasFrom ? " on" : !hasTo ? " defined" : "";
+  }
+  return "Framed: " + std::to_string(marked) + " of " + std::to_string(all) +
+    (all == 1 ? " element, " : " elements, ") + selection.Array + bounds + ".";
+}
+
+/** Frames the elements that are selected. */
+void MarkSelection(vtkPEMMeshView* view, const std::string& text, const ElementSelection& selection)
+{
+  vtkPolyData* mesh = view->GetMesh();
+  vtkNew<vtkPEMSelectElements> filter;
+  filter->SetInputData(mesh);
+  filter->SetSelection(text);
+  filter->Update();
+  vtkPolyData* selected = filter->GetOutput();
+  if (IsCaseFailed(selected))
+  {
+    throw std::runtime_error(DescribeMissingSelection(selection.Array));
+  }
+  vtkDataArray* ids = selected->GetCellData()->GetArray("OriginalElement");
+  std::vector<vtkIdType> elements;
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    elements.push_back(static_cast<vtkIdType>(ids->GetComponent(i, 0)));
+  }
+  view->SetMarkedElements(
+    elements, DescribeMarks(elements.size(), mesh->GetNumberOfPolys(), selection));
 }
 
 std::string CaptionOf(const RenderArguments& arguments, std::size_t panel)
@@ -97,11 +166,18 @@ int Render(const RenderArguments& arguments)
       std::to_string(arguments.Captions.size()) + ") than meshes (" + std::to_string(panels) +
       ").");
   }
+  if (arguments.Highlight != "none" && arguments.ColorBy.empty())
+  {
+    throw std::runtime_error("--highlight " + arguments.Highlight +
+      " needs --color-by: name the metric whose extreme elements are meant.");
+  }
+  const ElementSelection selection = ReadSelection(arguments.Selection);
   const ColumnLabels labels;
   vtkNew<vtkPEMFigure> figure;
   for (std::size_t i = 0; i < panels; ++i)
   {
-    const vtkSmartPointer<vtkPolyData> mesh = ReadMesh(arguments.Meshes[i], arguments.ColorBy);
+    const vtkSmartPointer<vtkPolyData> mesh =
+      ReadMesh(arguments.Meshes[i], { arguments.ColorBy, selection.Array });
     const auto view = MakeMeshView(mesh, arguments.ColorBy, labels);
     view->SetHighlightByName(arguments.Highlight);
     view->SetLogColor(arguments.Log);
@@ -109,6 +185,10 @@ int Render(const RenderArguments& arguments)
     if (const std::string reason = view->WhyNotDrawable(); !reason.empty())
     {
       throw std::runtime_error(arguments.Meshes[i] + ": " + reason);
+    }
+    if (!selection.Array.empty())
+    {
+      MarkSelection(view, arguments.Selection, selection);
     }
     figure->AddPanel(view);
   }
@@ -137,7 +217,10 @@ void AddRenderCommand(CLI::App& program, int& exitCode)
   render->add_option("-o,--output", draw->Output, "Figure to write: .png, .svg or .pdf")
     ->required();
   render->add_option("--color-by", draw->ColorBy, "Metric, or array of the file");
-  render->add_option("--highlight", draw->Highlight, "Mark extreme elements")
+  render->add_option("--selection", draw->Selection,
+    std::string("Frame and count elements: ") + ElementSelectionForm +
+      ", as in MinAngle:0.1:0.5 or MinAngle::0.5, or a cell array that is not zero there");
+  render->add_option("--highlight", draw->Highlight, "Mark extreme elements of --color-by")
     ->check(CLI::IsMember({ "none", "min", "max", "both" }));
   render->add_option("--title", draw->Title, "Title above all of it");
   render

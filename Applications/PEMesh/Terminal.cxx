@@ -11,6 +11,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkObject.h>
 #include <vtkObjectFactory.h>
@@ -42,6 +43,7 @@ void Complain(const std::string& message)
 
 void InstallMessageHandler()
 {
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF); // it would say the same once more
   vtkNew<MessageHandler> handler;
   vtkOutputWindow::SetInstance(handler);
 }

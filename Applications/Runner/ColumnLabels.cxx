@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ColumnLabels.h"
 
-#include "MetricRegistry.h"
 #include "SolverDescription.h"
 #include "Study.h"
+#include "SummaryTitles.h"
 
 #include <array>
 #include <utility>
@@ -15,17 +15,9 @@ namespace pemesh
 namespace
 {
 
-constexpr std::array<std::pair<const char*, const char*>, 3> Statistics{ {
-  { "_min", "smallest" },
-  { "_max", "largest" },
-  { "_mean", "mean" },
-} };
-
-constexpr std::array<std::pair<const char*, const char*>, 6> MeshColumns{ {
+/** What no table of the metrics has. */
+constexpr std::array<std::pair<const char*, const char*>, 3> OtherColumns{ {
   { "t", "deformation t" },
-  { "Elements", "number of elements" },
-  { "Vertices", "number of vertices" },
-  { "MeshSize", "mesh size h" },
   { "Index", "index of the mesh" },
   { "AttainedMinimumAngle", "smallest angle attained (degrees)" },
 } };
@@ -36,37 +28,13 @@ constexpr std::array<std::pair<const char*, const char*>, 3> SolverArrays{ {
   { "Error", "error" },
 } };
 
-std::string WithUnit(const std::string& title, const std::string& unit)
-{
-  return unit.empty() || unit == "1" ? title : title + " (" + unit + ")";
-}
-
-std::string LowerFirst(std::string text)
-{
-  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z')
-  {
-    text[0] = static_cast<char>(text[0] - 'A' + 'a');
-  }
-  return text;
-}
-
 } // namespace
 
 ColumnLabels::ColumnLabels()
 {
-  for (const auto& [name, title] : MeshColumns)
+  for (const auto& [name, title] : OtherColumns)
   {
     this->Titles[name] = title;
-  }
-  for (const Metric& metric : Metrics())
-  {
-    const std::string label = LowerFirst(metric.Label);
-    this->Titles[metric.Name] = WithUnit(label, metric.Unit);
-    for (const auto& [ending, word] : Statistics)
-    {
-      this->Titles[std::string(metric.Name) + ending] =
-        WithUnit(std::string(word) + " " + label, metric.Unit);
-    }
   }
 }
 
@@ -94,7 +62,12 @@ ColumnLabels::ColumnLabels(const Study& study, const std::vector<SolverDescripti
 std::string ColumnLabels::Title(const std::string& column) const
 {
   const auto found = this->Titles.find(column);
-  return found == this->Titles.end() ? column : found->second;
+  if (found != this->Titles.end())
+  {
+    return found->second;
+  }
+  const std::string title = TitleOfSummaryColumn(column);
+  return title.empty() ? column : title;
 }
 
 } // namespace pemesh

@@ -3,6 +3,7 @@
 #include "StudyGeneration.h"
 
 #include "MeshConversion.h"
+#include "StraightVertices.h"
 #include "Study.h"
 #include "StudyLayout.h"
 #include "vtkPEMAgglomerate.h"
@@ -17,19 +18,9 @@
 #include <algorithm>
 #include <array>
 #include <stdexcept>
-#include <string_view>
 
 namespace pemesh
 {
-
-namespace
-{
-
-/** The names of vtkPEMAgglomerate::StraightVerticesModes. */
-constexpr std::array<std::string_view, 3> StraightVertices{ "keep", "remove-exact",
-  "remove-rounded" };
-
-} // namespace
 
 StudyGeneration::StudyGeneration() = default;
 StudyGeneration::~StudyGeneration() = default;
@@ -140,9 +131,8 @@ void StudyGeneration::ConfigureAgglomeration(const StudyAgglomeration& agglomera
   this->Agglomeration->SetTargetNumberOfElements(agglomeration.Elements);
   this->Agglomeration->SetTargetPercentage(agglomeration.Percentage);
   this->Agglomeration->SetKeepPolygons(agglomeration.KeepPolygons);
-  const auto* mode =
-    std::find(StraightVertices.begin(), StraightVertices.end(), agglomeration.StraightVertices);
-  this->Agglomeration->SetStraightVertices(static_cast<int>(mode - StraightVertices.begin()));
+  const auto* mode = std::ranges::find(StraightVerticesNames, agglomeration.StraightVertices);
+  this->Agglomeration->SetStraightVertices(static_cast<int>(mode - StraightVerticesNames));
 }
 
 vtkAlgorithm* StudyGeneration::Configure(const Study& study)

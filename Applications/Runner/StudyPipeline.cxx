@@ -4,6 +4,7 @@
 
 #include "CaseStatus.h"
 #include "ErrorText.h"
+#include "MetricSettings.h"
 #include "SolverDescription.h"
 #include "Study.h"
 #include "StudyCases.h"
@@ -170,16 +171,12 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
   {
     pipeline.Observe(filter);
   }
-  if (!study.Metrics || !study.Metrics->empty())
+  if (!study.Metrics.Names.empty())
   {
     pipeline.Append(pipeline.Metrics);
   }
   pipeline.Append(pipeline.Label); // behind the metrics: a new label does not measure again
-  if (study.Metrics)
-  {
-    pipeline.Metrics->SetMetrics(*study.Metrics);
-    pipeline.Summary->SetMetrics(*study.Metrics);
-  }
+  ConfigureMetrics(study.Metrics, pipeline.Metrics, pipeline.Summary);
   for (std::size_t i = 0; i < study.Solvers.size(); ++i)
   {
     auto solver = vtkSmartPointer<vtkPEMExternalSolver>::New();

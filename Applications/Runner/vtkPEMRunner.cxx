@@ -155,7 +155,7 @@ void vtkPEMRunner::Internals::LoadStudy()
   this->Study.WrittenBy = "PEMesh " PEMESH_VERSION;
   if (this->MeshesOnly)
   {
-    this->Study.Metrics = std::vector<std::string>();
+    this->Study.Metrics.Names.clear();
     this->Study.Solvers.clear();
     this->Study.Plots.clear();
   }

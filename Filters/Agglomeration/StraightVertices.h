@@ -19,6 +19,9 @@ enum class StraightVertices
   RemoveRounded ///< those that rounding alone keeps off a line, too
 };
 
+/** What studies call them, in this order. */
+inline constexpr const char* StraightVerticesNames[] = { "keep", "remove-exact", "remove-rounded" };
+
 /**
  * Removes straight vertices of valence two: those where the same two elements, or one element and
  * the outside, meet along both sides. Elements stay simple and counter-clockwise, the mesh stays

@@ -28,7 +28,7 @@ void MeshValues::Provide(const std::vector<std::string>& metrics)
   for (const std::string& name : metrics)
   {
     vtkDataArray* array = this->Mesh->GetCellData()->GetArray(name.c_str());
-    if (!this->Get(name).empty() || (!array && !this->IsUsable))
+    if (!this->Get(name).empty() || (!array && (!this->IsUsable || !FindMetric(name))))
     {
       continue;
     }
@@ -43,7 +43,7 @@ void MeshValues::Provide(const std::vector<std::string>& metrics)
     }
     else
     {
-      columns.push_back({ FindElementMetric(name), values.data() });
+      columns.push_back({ FindMetric(name), values.data() });
     }
   }
   if (!columns.empty())

@@ -22,8 +22,8 @@ public:
   explicit MeshValues(vtkPolyData* mesh);
 
   /**
-   * Measures these metrics of elements, if the mesh has no arrays of them. Nothing for a mesh
-   * that cannot be measured.
+   * Measures these metrics, if the mesh has no arrays of them. Nothing for a mesh that cannot be
+   * measured, or for a name that is neither an array nor a metric.
    */
   void Provide(const std::vector<std::string>& metrics);
 

@@ -5,8 +5,6 @@
 #include "MetricTables.h"
 
 #include <algorithm>
-#include <cctype>
-#include <numeric>
 
 namespace pemesh
 {
@@ -60,26 +58,6 @@ constexpr MetricCollection Collections[] = {
 constexpr const char* NeedWords[] = { "area", "edges", "angles", "distances", "enclosing-circle",
   "inscribed-circle", "kernel-area", "kernel-radius", "corners", "sides", "box", "stiffness",
   "mesh", "neighbours" };
-
-/** Number of letters to change, add or take away (V. I. Levenshtein), case aside. */
-std::size_t EditDistance(std::string_view a, std::string_view b)
-{
-  const auto Lower = [](char letter) { return std::tolower(static_cast<unsigned char>(letter)); };
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{ 0 });
-  for (std::size_t i = 0; i < a.size(); ++i)
-  {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j)
-    {
-      const std::size_t change = diagonal + (Lower(a[i]) == Lower(b[j]) ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({ change, row[j] + 1, row[j + 1] + 1 });
-    }
-  }
-  return row.back();
-}
 
 } // namespace
 
@@ -137,17 +115,6 @@ std::span<const MetricCollection> MetricCollections()
 std::string MetricTest(const Metric& metric)
 {
   return "FiltersMetrics.Metrics/KnownValues.Agree/" + std::string(metric.Name);
-}
-
-std::string DescribeUnknownMetric(std::string_view name)
-{
-  // A symbol ("KAR") is a likely thing to type for a name, so it counts as near.
-  const auto Distance = [name](const Metric& metric)
-  { return name == metric.Symbol ? std::size_t{ 0 } : EditDistance(name, metric.Name); };
-  const auto nearest = std::ranges::min_element(
-    Metrics(), [&](const Metric& a, const Metric& b) { return Distance(a) < Distance(b); });
-  return "There is no metric \"" + std::string(name) + "\"; the nearest is \"" + nearest->Name +
-    "\".";
 }
 
 } // namespace pemesh

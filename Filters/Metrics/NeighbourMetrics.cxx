@@ -6,6 +6,7 @@
 #include "CornerMeasures.h"
 #include "MeshSurroundings.h"
 #include "MetricTables.h"
+#include "SummaryTitles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -163,7 +164,7 @@ Metric MakeJumpMetric(const Metric& metric)
   Metric jump;
   jump.Name = Keep(std::string(metric.Name) + "Jump");
   jump.Symbol = Keep("J(" + symbol + ")");
-  jump.Label = Keep("Jump of " + std::string(metric.Label));
+  jump.Label = Keep("Jump of " + LowerFirst(metric.Label));
   jump.Reference = OwnDefinition;
   jump.Good = -1;
   jump.RotationInvariant = metric.RotationInvariant;

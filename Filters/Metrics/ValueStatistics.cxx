@@ -23,34 +23,38 @@ namespace
 constexpr double NotANumber = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Statistic StatisticTable[] = {
-  { "min", "min", "Smallest value, and the first element that has it.", false,
+  { "min", "min", "smallest", "Smallest value, and the first element that has it.", false, false,
     [](const ValueSummary& values) { return values.Minimum; },
     [](const ValueSummary& values) { return values.MinimumElement; } },
-  { "max", "max", "Largest value, and the first element that has it.", false,
+  { "max", "max", "largest", "Largest value, and the first element that has it.", false, false,
     [](const ValueSummary& values) { return values.Maximum; },
     [](const ValueSummary& values) { return values.MaximumElement; } },
-  { "mean", "mean", "Mean over the elements.", false,
+  { "mean", "mean", "mean", "Mean over the elements.", false, false,
     [](const ValueSummary& values) { return values.Mean; }, nullptr },
-  { "standard-deviation", "deviation",
-    "Root of the mean square difference from the mean (divided by the number of elements).", true,
-    [](const ValueSummary& values) { return values.StandardDeviation; }, nullptr },
-  { "area-mean", "area_mean", "Mean with the areas of the elements as weights.", true,
+  { "standard-deviation", "deviation", "standard deviation of",
+    "Root of the mean square difference from the mean (divided by the number of elements).", false,
+    true, [](const ValueSummary& values) { return values.StandardDeviation; }, nullptr },
+  { "area-mean", "area_mean", "area-weighted mean",
+    "Mean with the areas of the elements as weights.", false, true,
     [](const ValueSummary& values) { return values.AreaMean; }, nullptr },
-  { "undefined", "undefined", "Number of elements where the metric is undefined.", false,
+  { "undefined", "undefined", "elements with undefined",
+    "Number of elements where the metric is undefined.", true, false,
     [](const ValueSummary& values) { return static_cast<double>(values.Undefined); }, nullptr },
 };
 
 constexpr ElementGroup GroupTable[] = {
-  { "all", "", "All elements.", [](int, int, bool) { return true; } },
-  { "triangles", "_triangles", "Elements of three vertices.",
+  { "all", "", "", "All elements.", [](int, int, bool) { return true; } },
+  { "triangles", "_triangles", "triangles", "Elements of three vertices.",
     [](int vertices, int, bool) { return vertices == 3; } },
-  { "polygons", "_polygons", "Elements of more than three vertices.",
+  { "polygons", "_polygons", "polygons", "Elements of more than three vertices.",
     [](int vertices, int, bool) { return vertices > 3; } },
-  { "placed", "_placed", "Elements of a placed polygon (PolygonId is not negative).",
+  { "placed", "_placed", "placed polygons",
+    "Elements of a placed polygon (PolygonId is not negative).",
     [](int, int polygon, bool) { return polygon >= 0; } },
-  { "filler", "_filler", "Elements around the placed polygons (PolygonId is -1).",
+  { "filler", "_filler", "around placed polygons",
+    "Elements around the placed polygons (PolygonId is -1).",
     [](int, int polygon, bool) { return polygon == -1; } },
-  { "selected", "_selected", "Elements where the array of the selection is not zero.",
+  { "selected", "_selected", "selected elements", "Elements of the selection.",
     [](int, int, bool selected) { return selected; } },
 };
 
@@ -107,6 +111,13 @@ const Statistic* FindStatistic(std::string_view name)
   return FindIn(StatisticTable, name);
 }
 
+const Statistic* FindStatisticBySuffix(std::string_view suffix)
+{
+  const auto* found = std::ranges::find_if(
+    StatisticTable, [suffix](const Statistic& entry) { return suffix == entry.Suffix; });
+  return found == std::end(StatisticTable) ? nullptr : found;
+}
+
 std::span<const ElementGroup> ElementGroups()
 {
   return GroupTable;
@@ -118,11 +129,9 @@ const ElementGroup* FindElementGroup(std::string_view name)
 }
 
 std::vector<unsigned char> FindMembers(
-  vtkPolyData* mesh, const ElementGroup& group, const std::string& selection)
+  vtkPolyData* mesh, const ElementGroup& group, std::span<const unsigned char> selected)
 {
   vtkDataArray* polygons = mesh->GetCellData()->GetArray(PolygonIdArray);
-  vtkDataArray* selected =
-    selection.empty() ? nullptr : mesh->GetCellData()->GetArray(selection.c_str());
   std::vector<unsigned char> members(static_cast<std::size_t>(mesh->GetNumberOfPolys()));
   for (std::size_t i = 0; i < members.size(); ++i)
   {
@@ -130,9 +139,9 @@ std::vector<unsigned char> FindMembers(
     constexpr int NoPolygonId = -2; // in neither group
     const int polygon =
       polygons ? static_cast<int>(polygons->GetComponent(element, 0)) : NoPolygonId;
-    const double mark = selected ? selected->GetComponent(element, 0) : 0.0;
     const auto vertices = static_cast<int>(mesh->GetPolys()->GetCellSize(element));
-    members[i] = group.Contains(vertices, polygon, mark != 0.0 && !std::isnan(mark)) ? 1 : 0;
+    const bool isSelected = !selected.empty() && selected[i] != 0;
+    members[i] = group.Contains(vertices, polygon, isSelected) ? 1 : 0;
   }
   return members;
 }

@@ -39,7 +39,9 @@ struct Statistic
 {
   const char* Name;   // "standard-deviation"
   const char* Suffix; // of the column: "deviation"
+  const char* Label;  // before the name of a metric: "standard deviation of"
   const char* Description;
+  bool IsCount;     // a number of elements, whatever the unit of the metric
   bool NeedsSpread; // standard deviation and weighted mean, which need a second pass
   double (*Function)(const ValueSummary&);
   /** The element that attains it, for a column `<Suffix>_element`; null if there is no such. */
@@ -48,12 +50,14 @@ struct Statistic
 
 PEMESHFILTERSMETRICS_EXPORT std::span<const Statistic> Statistics();
 PEMESHFILTERSMETRICS_EXPORT const Statistic* FindStatistic(std::string_view name);
+PEMESHFILTERSMETRICS_EXPORT const Statistic* FindStatisticBySuffix(std::string_view suffix);
 
 /** Which elements a statistic is taken over. */
 struct ElementGroup
 {
   const char* Name;   // "placed"
   const char* Suffix; // of the column: "_placed"; empty for all elements
+  const char* Label;  // behind the name of a metric: "placed polygons"; empty for all elements
   const char* Description;
   bool (*Contains)(int vertices, int polygon, bool selected);
 };
@@ -62,11 +66,11 @@ PEMESHFILTERSMETRICS_EXPORT std::span<const ElementGroup> ElementGroups();
 PEMESHFILTERSMETRICS_EXPORT const ElementGroup* FindElementGroup(std::string_view name);
 
 /**
- * Whether each element of a mesh is in a group. `selection` names the cell array of the group
- * "selected": elements where it is neither zero nor NaN. An array that is not there selects none.
+ * Whether each element of a mesh is in a group. `selected` says which ones the group "selected"
+ * has: empty for none, or one entry an element.
  */
 PEMESHFILTERSMETRICS_EXPORT std::vector<unsigned char> FindMembers(
-  vtkPolyData* mesh, const ElementGroup& group, const std::string& selection);
+  vtkPolyData* mesh, const ElementGroup& group, std::span<const unsigned char> selected);
 
 /**
  * The summary of the values of the members; empty `members` for all. With `spread` the second pass
@@ -84,6 +88,9 @@ PEMESHFILTERSMETRICS_EXPORT std::vector<double> SortValues(
  * Hyndman, Y. Fan, Sample quantiles in statistical packages, Am. Stat. 50 (1996) 361-365).
  */
 PEMESHFILTERSMETRICS_EXPORT double Quantile(std::span<const double> sorted, double fraction);
+
+/** Bound on the bins of a histogram, to tell a slip from a wish. */
+inline constexpr int MostHistogramBins = 10000;
 
 /** How many sorted values are in each of equal parts of their range; the last includes its end. */
 PEMESHFILTERSMETRICS_EXPORT std::vector<vtkIdType> Histogram(

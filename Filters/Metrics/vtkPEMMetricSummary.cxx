@@ -3,6 +3,7 @@
 #include "vtkPEMMetricSummary.h"
 
 #include "CaseStatus.h"
+#include "ElementSelection.h"
 #include "MeshMetrics.h"
 #include "MeshValues.h"
 #include "MetricSelection.h"
@@ -17,39 +18,22 @@
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkPEMMetricSummary);
 
 namespace
 {
 
-/** Whether a metric is cheap enough to be measured for a number of the mesh that needs it. */
-bool IsCheap(const pemesh::Metric& metric)
+/** Whether each element is of the selection; empty if the mesh has no values to select by. */
+std::vector<unsigned char> FindSelected(
+  const pemesh::MeshValues& values, const pemesh::ElementSelection& selection)
 {
-  constexpr unsigned int Cheap = pemesh::NeedsArea | pemesh::NeedsEdges | pemesh::NeedsDistances;
-  return (metric.Needs & ~Cheap) == 0;
-}
-
-/** Empty, or a sentence about the first name that is in no entry of a table. */
-template <typename Table>
-std::string WhyUnknown(const char* what, const std::vector<std::string>& names, const Table& table)
-{
-  for (const std::string& name : names)
+  std::vector<unsigned char> selected;
+  for (const double value : values.Get(selection.Array))
   {
-    std::string known;
-    bool isKnown = false;
-    for (const auto& entry : table)
-    {
-      known += (known.empty() ? "" : ", ") + std::string(entry.Name);
-      isKnown = isKnown || name == entry.Name;
-    }
-    if (!isKnown)
-    {
-      return "There is no " + std::string(what) + " \"" + name + "\"; there are " + known + ".";
-    }
+    selected.push_back(selection.Contains(value) ? 1 : 0);
   }
-  return {};
+  return selected;
 }
 
 } // namespace
@@ -61,84 +45,82 @@ vtkPEMMetricSummary::vtkPEMMetricSummary()
 
 vtkPEMMetricSummary::~vtkPEMMetricSummary() = default;
 
-std::string vtkPEMMetricSummary::WhyUnknownStatistic(const std::vector<std::string>& names)
+void vtkPEMMetricSummary::Report(const pemesh::NamesTaken& taken)
 {
-  return WhyUnknown("statistic", names, pemesh::Statistics());
-}
-
-std::string vtkPEMMetricSummary::WhyUnknownGroup(const std::vector<std::string>& names)
-{
-  return WhyUnknown("group of elements", names, pemesh::ElementGroups());
-}
-
-template <typename Value>
-void vtkPEMMetricSummary::Change(Value& own, const Value& value, const std::string& problem)
-{
-  if (!problem.empty())
+  if (!taken.Fault.empty())
   {
-    vtkErrorMacro(<< problem);
+    vtkErrorMacro(<< taken.Fault);
   }
-  else if (own != value)
+  else if (taken.IsChange)
   {
-    own = value;
     this->Modified();
   }
 }
 
 void vtkPEMMetricSummary::SetMetrics(const std::vector<std::string>& names)
 {
-  this->Change(this->Metrics, pemesh::NormalizeMetricNames(names), pemesh::WhyUnknownMetric(names));
+  this->Report(pemesh::TakeMetricNames(this->Metrics, names));
 }
 
 void vtkPEMMetricSummary::SetMeshMetrics(const std::vector<std::string>& names)
 {
-  this->Change(this->MeshMetrics, std::optional(names),
-    WhyUnknown("metric of a mesh", names, pemesh::MeshMetrics()));
-}
-
-void vtkPEMMetricSummary::SelectDefaultMeshMetrics()
-{
-  this->Change(this->MeshMetrics, std::optional<std::vector<std::string>>{}, {});
+  this->Report(pemesh::TakeNames(this->MeshMetrics, names, pemesh::MeshMetricChoices()));
 }
 
 std::vector<std::string> vtkPEMMetricSummary::GetMeshMetrics() const
 {
-  if (this->MeshMetrics)
-  {
-    return *this->MeshMetrics;
-  }
-  std::vector<std::string> names;
-  for (const pemesh::MeshMetric& metric : pemesh::MeshMetrics())
-  {
-    const pemesh::Metric* base = pemesh::FindMetric(metric.Base);
-    if (!base || IsCheap(*base) || std::ranges::count(this->Metrics, metric.Base) > 0)
-    {
-      names.emplace_back(metric.Name);
-    }
-  }
-  return names;
+  return pemesh::SelectMeshMetrics(this->MeshMetrics, this->Metrics);
 }
 
 void vtkPEMMetricSummary::SetStatistics(const std::vector<std::string>& names)
 {
-  this->Change(this->Statistics, names, WhyUnknownStatistic(names));
+  this->Report(pemesh::TakeNames(this->Statistics, names, pemesh::StatisticChoices()));
 }
 
 void vtkPEMMetricSummary::SetGroups(const std::vector<std::string>& names)
 {
-  this->Change(this->Groups, names, WhyUnknownGroup(names));
+  this->Report(pemesh::TakeNames(this->Groups, names, pemesh::ElementGroupChoices()));
 }
 
 void vtkPEMMetricSummary::SetQuantiles(const std::vector<double>& fractions)
 {
   const bool areGood = std::ranges::all_of(
     fractions, [](double fraction) { return fraction >= 0.0 && fraction <= 1.0; });
-  this->Change(this->Quantiles, fractions, areGood ? "" : "A quantile has to be between 0 and 1.");
+  if (!areGood)
+  {
+    vtkErrorMacro(<< "A quantile has to be between 0 and 1.");
+  }
+  else if (fractions != this->Quantiles)
+  {
+    this->Quantiles = fractions;
+    this->Modified();
+  }
 }
 
-void vtkPEMMetricSummary::SetSelectionArray(const std::string& name)
+void vtkPEMMetricSummary::SetHistogramBins(int bins)
 {
-  this->Change(this->SelectionArray, name, {});
+  const int most = pemesh::MostHistogramBins;
+  const int clamped = std::clamp(bins, 0, most);
+  if (clamped != this->HistogramBins)
+  {
+    this->HistogramBins = clamped;
+    this->Modified();
+  }
+}
+
+void vtkPEMMetricSummary::SetSelection(const std::string& text)
+{
+  std::string fault;
+  pemesh::ParseElementSelection(text, fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+  }
+  else if (text != this->Selection)
+  {
+    this->Selection = text;
+    this->Modified();
+  }
 }
 
 void vtkPEMMetricSummary::AddMetric(const std::string& name)
@@ -178,6 +160,12 @@ int vtkPEMMetricSummary::RequestData(vtkInformation* vtkNotUsed(request),
   pemesh::AddParameterColumns(table, mesh);
   const std::vector<const pemesh::Metric*> metrics = pemesh::SelectMetrics(this->Metrics);
   const std::vector<std::string> meshMetrics = this->GetMeshMetrics();
+  std::string fault;
+  const pemesh::ElementSelection selection = pemesh::ParseElementSelection(this->Selection, fault);
+  pemesh::MeshValues values(mesh);
+  values.Provide(this->FindBaseMetrics(selection.Array));
+  pemesh::ReportProgress(this, 0.3);
+  const std::vector<unsigned char> selected = FindSelected(values, selection);
   pemesh::SummaryChoice choice;
   choice.Quantiles = this->Quantiles;
   choice.Bins = this->HistogramBins;
@@ -189,29 +177,33 @@ int vtkPEMMetricSummary::RequestData(vtkInformation* vtkNotUsed(request),
   {
     const pemesh::ElementGroup* group = pemesh::FindElementGroup(name);
     choice.Groups.push_back(group);
-    choice.Members.push_back(*group->Suffix
-        ? pemesh::FindMembers(mesh, *group, this->SelectionArray)
-        : std::vector<unsigned char>{});
+    choice.Members.push_back(
+      *group->Suffix ? pemesh::FindMembers(mesh, *group, selected) : std::vector<unsigned char>{});
   }
-  pemesh::MeshValues values(mesh);
-  values.Provide(this->FindBaseMetrics());
-  pemesh::ReportProgress(this, 0.3);
   choice.Areas = values.Get("Area");
   pemesh::AddMeshColumns(table, mesh, values, meshMetrics, metrics);
   pemesh::ReportProgress(this, 0.6);
   pemesh::AddMetricColumns(table, mesh, values, metrics, choice);
   pemesh::AddOtherFieldColumns(table, mesh);
-  pemesh::AddText(table, "Status", pemesh::GetCaseStatus(mesh));
-  pemesh::AddText(table, "StatusMessage", pemesh::GetCaseStatusMessage(mesh));
+  const bool isMissing = !selection.Array.empty() && selected.empty() &&
+    mesh->GetNumberOfPolys() > 0 && !pemesh::IsCaseFailed(mesh);
+  pemesh::AddText(table, "Status", isMissing ? "no-such-array" : pemesh::GetCaseStatus(mesh));
+  pemesh::AddText(table, "StatusMessage",
+    isMissing ? pemesh::DescribeMissingSelection(selection.Array)
+              : pemesh::GetCaseStatusMessage(mesh));
   pemesh::CopyList(table, mesh, pemesh::ParametersList);
   pemesh::CopyList(table, mesh, pemesh::MeasuredList);
   return 1;
 }
 
-/** The metrics of elements without which numbers of the mesh and weights cannot be had. */
-std::vector<std::string> vtkPEMMetricSummary::FindBaseMetrics() const
+/** What numbers of the mesh, weights and the selection are made of. */
+std::vector<std::string> vtkPEMMetricSummary::FindBaseMetrics(const std::string& selected) const
 {
   std::vector<std::string> names;
+  if (!selected.empty())
+  {
+    names.push_back(selected);
+  }
   for (const std::string& name : this->GetMeshMetrics())
   {
     const pemesh::MeshMetric& metric = *pemesh::FindMeshMetric(name);
@@ -246,5 +238,5 @@ void vtkPEMMetricSummary::PrintSelf(ostream& os, vtkIndent indent)
   Print("Groups", this->Groups);
   Print("Quantiles", this->Quantiles);
   os << indent << "HistogramBins: " << this->HistogramBins << '\n';
-  os << indent << "SelectionArray: " << this->SelectionArray << '\n';
+  os << indent << "Selection: " << this->Selection << '\n';
 }

@@ -30,9 +30,13 @@
 #include "pemeshFiltersMetricsModule.h" // For export macro
 #include <vtkTableAlgorithm.h>
 
-#include <optional>
 #include <string> // For arguments
 #include <vector> // For arguments
+
+namespace pemesh
+{
+struct NamesTaken;
+}
 
 class PEMESHFILTERSMETRICS_EXPORT vtkPEMMetricSummary : public vtkTableAlgorithm
 {
@@ -56,12 +60,12 @@ public:
 
   ///@{
   /**
-   * The numbers of the whole mesh that get columns, by name, in the order given. Default: all of
-   * MeshMetrics.h, but for those made of a metric that is not chosen and not cheap (MeshRho without
-   * VEMIndicator). Those made of a metric that was not measured measure it.
+   * The numbers of the whole mesh that get columns, by name, in the order given; "all" stands for
+   * all of MeshMetrics.h, "usual" (the default) for all but those made of a metric that is neither
+   * chosen nor cheap (MeshRho without VEMIndicator). Those made of a metric that was not measured
+   * measure it. GetMeshMetrics tells what the words stand for.
    */
   void SetMeshMetrics(const std::vector<std::string>& names);
-  void SelectDefaultMeshMetrics();
   std::vector<std::string> GetMeshMetrics() const;
   ///@}
 
@@ -90,21 +94,20 @@ public:
   ///@}
 
   ///@{
-  /** Parts of the histogram of each metric. Valid range [0, 10000]. Default: 0, no histogram. */
-  vtkSetClampMacro(HistogramBins, int, 0, 10000);
+  /** Bins of the histogram of each metric, clamped to [0, 10000]. Default: 0, no histogram. */
+  void SetHistogramBins(int bins);
   vtkGetMacro(HistogramBins, int);
   ///@}
 
   ///@{
-  /** The cell array that is not zero for the elements of the group "selected". Default: none. */
-  void SetSelectionArray(const std::string& name);
-  std::string GetSelectionArray() const { return this->SelectionArray; }
-  ///@}
-
-  ///@{
-  /** Empty if all names are known, else a sentence about the first that is not. */
-  static std::string WhyUnknownStatistic(const std::vector<std::string>& names);
-  static std::string WhyUnknownGroup(const std::vector<std::string>& names);
+  /**
+   * The elements of the group "selected": those where a metric or a cell array is in a range,
+   * "MinAngle:0.1:0.5" (ElementSelection.h), or those where a cell array is not zero, by its name.
+   * A metric that the mesh lacks is measured. A mesh that has no such array has the status
+   * "no-such-array". Default: none. A text that is neither is an error, and changes nothing.
+   */
+  void SetSelection(const std::string& text);
+  std::string GetSelection() const { return this->Selection; }
   ///@}
 
 protected:
@@ -119,17 +122,16 @@ private:
   vtkPEMMetricSummary(const vtkPEMMetricSummary&) = delete;
   void operator=(const vtkPEMMetricSummary&) = delete;
 
-  template <typename Value>
-  void Change(Value& own, const Value& value, const std::string& problem);
-  std::vector<std::string> FindBaseMetrics() const;
+  void Report(const pemesh::NamesTaken& taken);
+  std::vector<std::string> FindBaseMetrics(const std::string& selected) const;
 
   std::vector<std::string> Metrics;
-  std::optional<std::vector<std::string>> MeshMetrics;
+  std::vector<std::string> MeshMetrics = { "usual" };
   std::vector<std::string> Statistics = { "min", "max", "mean" };
   std::vector<std::string> Groups = { "all" };
   std::vector<double> Quantiles;
   int HistogramBins = 0;
-  std::string SelectionArray;
+  std::string Selection;
 };
 
 #endif

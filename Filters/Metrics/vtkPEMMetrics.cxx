@@ -50,16 +50,13 @@ vtkPEMMetrics::~vtkPEMMetrics() = default;
 
 void vtkPEMMetrics::SetMetrics(const std::vector<std::string>& names)
 {
-  const std::string problem = pemesh::WhyUnknownMetric(names);
-  if (!problem.empty())
+  const pemesh::NamesTaken taken = pemesh::TakeMetricNames(this->Metrics, names);
+  if (!taken.Fault.empty())
   {
-    vtkErrorMacro(<< problem);
-    return;
+    vtkErrorMacro(<< taken.Fault);
   }
-  std::vector<std::string> normalized = pemesh::NormalizeMetricNames(names);
-  if (normalized != this->Metrics)
+  else if (taken.IsChange)
   {
-    this->Metrics = std::move(normalized);
     this->Modified();
   }
 }

@@ -4,6 +4,7 @@
 
 #include "CaseStatus.h"
 #include "ElementAccess.h"
+#include "ElementSelection.h"
 #include "MetricRegistry.h"
 #include "Progress.h"
 
@@ -12,6 +13,7 @@
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPointData.h>
@@ -103,11 +105,57 @@ void CopyElements(vtkPolyData* mesh, const std::vector<vtkIdType>& elements, vtk
   output->GetFieldData()->PassData(mesh->GetFieldData());
 }
 
+/** The first elements of the smallest and of the largest value, which may be one, with a mark. */
+void CopyExtremes(vtkPolyData* mesh, const std::vector<double>& values, vtkPolyData* output)
+{
+  vtkIdType smallest = -1;
+  vtkIdType largest = -1;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const auto element = static_cast<vtkIdType>(i);
+    if (!std::isnan(values[i]))
+    {
+      const auto Value = [&](vtkIdType id) { return values[static_cast<std::size_t>(id)]; };
+      smallest = smallest < 0 || values[i] < Value(smallest) ? element : smallest;
+      largest = largest < 0 || values[i] > Value(largest) ? element : largest;
+    }
+  }
+  std::vector<vtkIdType> extremes;
+  vtkNew<vtkIntArray> marks;
+  marks->SetName("Extreme");
+  if (smallest >= 0)
+  {
+    extremes = { std::min(smallest, largest), std::max(smallest, largest) };
+    extremes.resize(smallest == largest ? 1 : 2);
+  }
+  for (const vtkIdType element : extremes)
+  {
+    marks->InsertNextValue(
+      static_cast<int>(element == largest) - static_cast<int>(element == smallest));
+  }
+  CopyElements(mesh, extremes, output);
+  output->GetCellData()->AddArray(marks);
+}
+
+/** Those that are not in a sorted list, of the first `count`. */
+std::vector<vtkIdType> OthersThan(const std::vector<vtkIdType>& selected, vtkIdType count)
+{
+  std::vector<vtkIdType> others;
+  for (vtkIdType element = 0; element < count; ++element)
+  {
+    if (!std::binary_search(selected.begin(), selected.end(), element))
+    {
+      others.push_back(element);
+    }
+  }
+  return others;
+}
+
 } // namespace
 
 vtkPEMSelectElements::vtkPEMSelectElements()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkPEMSelectElements::~vtkPEMSelectElements() = default;
@@ -121,7 +169,22 @@ void vtkPEMSelectElements::SetMetric(const std::string& name)
   }
 }
 
-/** Range, Smallest or Largest; Worst where it is not known which end that is. */
+void vtkPEMSelectElements::SetSelection(const std::string& text)
+{
+  std::string fault;
+  const pemesh::ElementSelection selection = pemesh::ParseElementSelection(text, fault);
+  if (!fault.empty())
+  {
+    vtkErrorMacro(<< fault);
+    return;
+  }
+  this->SetMetric(selection.Array);
+  this->SetMode(selection.HasRange ? Range : NotZero);
+  this->SetMinimum(selection.Minimum);
+  this->SetMaximum(selection.Maximum);
+}
+
+/** The mode, with Worst turned into the end that is bad, where that is known. */
 int vtkPEMSelectElements::GetEffectiveMode() const
 {
   const pemesh::Metric* metric = pemesh::FindMetric(this->Metric);
@@ -135,16 +198,17 @@ int vtkPEMSelectElements::GetEffectiveMode() const
 std::vector<vtkIdType> vtkPEMSelectElements::Select(
   const std::vector<double>& values, int mode) const
 {
+  const bool hasRule = mode == Range || mode == NotZero;
+  const pemesh::ElementSelection rule{ this->Metric, mode == Range, this->Minimum, this->Maximum };
   std::vector<vtkIdType> selected;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    const bool isInside = values[i] >= this->Minimum && values[i] <= this->Maximum;
-    if (mode == Range ? isInside : !std::isnan(values[i]))
+    if (hasRule ? rule.Contains(values[i]) : !std::isnan(values[i]))
     {
       selected.push_back(static_cast<vtkIdType>(i));
     }
   }
-  if (mode != Range)
+  if (!hasRule)
   {
     KeepExtreme(selected, values, mode == Largest, this->Count);
   }
@@ -155,8 +219,7 @@ int vtkPEMSelectElements::RequestData(vtkInformation* vtkNotUsed(request),
   vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* output = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* others = vtkPolyData::GetData(outputVector, 1);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, SelectedPort);
   const int mode = this->GetEffectiveMode();
   if (mode == Worst)
   {
@@ -184,19 +247,16 @@ int vtkPEMSelectElements::RequestData(vtkInformation* vtkNotUsed(request),
     values[i] = array->GetComponent(static_cast<vtkIdType>(i), 0);
   }
   const std::vector<vtkIdType> selected = this->Select(values, mode);
-  std::vector<vtkIdType> rest;
-  for (vtkIdType element = 0; element < input->GetNumberOfPolys(); ++element)
-  {
-    if (!std::binary_search(selected.begin(), selected.end(), element))
-    {
-      rest.push_back(element);
-    }
-  }
   output->Initialize();
   CopyElements(input, selected, output);
-  if (pemesh::ReportProgress(this, 0.5))
+  if (pemesh::ReportProgress(this, 0.4))
   {
-    CopyElements(input, rest, others);
+    CopyElements(input, OthersThan(selected, input->GetNumberOfPolys()),
+      vtkPolyData::GetData(outputVector, OtherPort));
+  }
+  if (pemesh::ReportProgress(this, 0.8))
+  {
+    CopyExtremes(input, values, vtkPolyData::GetData(outputVector, ExtremePort));
   }
   pemesh::ReportProgress(this, 1.0);
   return 1;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkPEMSelectElements
- * @brief   The elements of a mesh whose metric is in a range, or the worst ones.
+ * @brief   The elements of a mesh whose metric is in a range, the worst ones, and the extreme ones.
  *
  * Input port 0 : vtkPolyData, a mesh with the cell array named (vtkPEMMetrics makes those of the
  *   metrics; any numeric cell array of one component will do).
@@ -10,6 +10,10 @@
  *   double precision and no others, all point and cell arrays of the input, and
  *   OriginalElement (cells) and OriginalVertex (points) [vtkIdTypeArray], the ids in the input.
  * Output port 1: the elements that are not selected, in the same form.
+ * Output port 2: the elements of the smallest and of the largest value of the mesh, whatever is
+ *   selected, in the order of the mesh and in the same form, with the cell array Extreme
+ *   [vtkIntArray]: -1 where the value is the smallest, 1 where it is the largest, 0 where all are
+ *   the same. Of equal values the first element counts. Empty if no value is defined.
  * Elements where the metric is undefined are never selected.
  * A failed mesh is passed on as it is; one without the array fails with "no-such-array".
  *
@@ -40,17 +44,26 @@ public:
   std::string GetMetric() const { return this->Metric; }
   ///@}
 
+  /** The output ports. */
+  enum OutputPort
+  {
+    SelectedPort,
+    OtherPort,
+    ExtremePort
+  };
+
   /** How elements are selected. */
   enum SelectionMode
   {
     Range,    ///< from Minimum to Maximum, both included
     Smallest, ///< the Count elements of the smallest values
     Largest,  ///< the Count elements of the largest values
-    Worst     ///< Smallest or Largest, as the registry says which end of the metric is good
+    Worst,    ///< Smallest or Largest, as the registry says which end of the metric is good
+    NotZero   ///< values other than zero, of an array that marks elements
   };
   ///@{
   /** Default: Range. Worst is an error for an array that is no metric with a good end. */
-  vtkSetClampMacro(Mode, int, Range, Worst);
+  vtkSetClampMacro(Mode, int, Range, NotZero);
   vtkGetMacro(Mode, int);
   ///@}
 
@@ -61,6 +74,12 @@ public:
   vtkSetMacro(Maximum, double);
   vtkGetMacro(Maximum, double);
   ///@}
+
+  /**
+   * Metric, mode and range at once: Range as in "MinAngle:0.1:0.5" (ElementSelection.h), or NotZero
+   * with the name of an array alone. A text that is neither is an error, and changes nothing.
+   */
+  void SetSelection(const std::string& text);
 
   ///@{
   /** How many extreme elements; of equal values the first ones. At least 0. Default: 10. */

@@ -7,6 +7,7 @@
 #include "NumberText.h"
 #include "Progress.h"
 #include "Significance.h"
+#include "SummaryTitles.h"
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
@@ -68,7 +69,8 @@ bool IsMetric(const std::string& name)
       break;
     }
   }
-  return base.ends_with("_min") || base.ends_with("_max") || base.ends_with("_mean");
+  return base.ends_with("_min") || base.ends_with("_max") || base.ends_with("_mean") ||
+    pemesh::IsStatisticOfMetric(name);
 }
 
 /** <run>_<performance>, both not empty, and no id of an extreme element. */
@@ -76,7 +78,7 @@ bool IsPerformance(const std::string& name)
 {
   const std::size_t underscore = name.find('_');
   return underscore != std::string::npos && underscore > 0 && underscore + 1 < name.size() &&
-    name.find("_element") == std::string::npos && !IsMetric(name);
+    name.find("_element") == std::string::npos && !IsMetric(name) && !pemesh::IsOfSummary(name);
 }
 
 Names NumericColumns(vtkTable* table)

@@ -158,14 +158,20 @@ inline double ReadNumber(
   return json.ToNumber();
 }
 
-inline int ReadInteger(const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
+/** An integer of any size that a double holds. */
+inline double ReadWhole(const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
 {
   const double number = json.IsNumber() ? json.ToNumber() : 0.5;
   if (number != std::trunc(number))
   {
     place.Fail("is " + ShowValue(json) + " where an integer is expected.");
   }
-  return static_cast<int>(ReadNumber(json, place, range));
+  return ReadNumber(json, place, range);
+}
+
+inline int ReadInteger(const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
+{
+  return static_cast<int>(ReadWhole(json, place, range));
 }
 
 inline std::string ReadText(const JsonValue& json, const DocumentPlace& place)
@@ -257,6 +263,17 @@ Field<Owner> IntegerField(
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { owner.*member = ReadInteger(json, place, range); },
     [=](const Owner& owner) { return JsonValue{ std::int64_t{ owner.*member } }; } };
+}
+
+/** An integer that may be larger than an int, such as a seed. */
+template <typename Owner>
+Field<Owner> WholeField(
+  const std::string& key, double Owner::*member, const NumberRange& range, const std::string& doc)
+{
+  return { key, "integer " + range.Describe(), doc,
+    [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
+    { owner.*member = ReadWhole(json, place, range); },
+    [=](const Owner& owner) { return JsonNumber(owner.*member); } };
 }
 
 template <typename Owner>

@@ -114,12 +114,8 @@ Field<Owner> ParameterField(const std::string& key, const std::vector<Parameteri
     {
       const Parameter* parameter = FindParameter(ParametersOf(entries, owner.*where.Name), key);
       const NumberRange range{ parameter->Least, parameter->Greatest };
-      const double value = ReadNumber(json, place, range);
-      if (parameter->IsInteger && value != std::trunc(value))
-      {
-        place.Fail("is " + ShowValue(json) + " where an integer is expected.");
-      }
-      (owner.*where.Parameters).emplace_back(key, value);
+      const auto read = parameter->IsInteger ? ReadWhole : ReadNumber;
+      (owner.*where.Parameters).emplace_back(key, read(json, place, range));
     },
     [=](const Owner& owner) -> std::optional<JsonValue>
     {

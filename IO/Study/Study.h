@@ -171,6 +171,22 @@ struct StudyPlot
   bool operator==(const StudyPlot&) const = default;
 };
 
+/**
+ * What is measured, and what the results tell of it. The names and their meaning are those of
+ * vtkPEMMetrics and vtkPEMMetricSummary, and so are the defaults.
+ */
+struct StudyMetrics
+{
+  std::vector<std::string> Names{ "all" };
+  std::vector<std::string> Mesh{ "usual" }; // numbers of whole meshes
+  std::vector<std::string> Statistics{ "min", "max", "mean" };
+  std::vector<std::string> Groups{ "all" };
+  std::vector<double> Quantiles; // fractions in [0, 1]
+  int HistogramBins = 0;         // 0: no histogram
+  std::string Selection;         // of the group selected: "MinAngle:0.1:0.5", or a cell array
+  bool operator==(const StudyMetrics&) const = default;
+};
+
 struct StudyOutput
 {
   std::vector<std::string> Formats{ "vtp" };
@@ -188,7 +204,7 @@ struct Study
   std::vector<StudySweep> Sweep;
   StudyDomain Domain;
   StudyMesh Mesh;
-  std::optional<std::vector<std::string>> Metrics; // unset = all
+  StudyMetrics Metrics;
   std::vector<StudySolver> Solvers;
   std::vector<StudyPlot> Plots;
   StudyOutput Output;

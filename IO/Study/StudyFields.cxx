@@ -3,7 +3,6 @@
 #include "StudyFields.h"
 
 #include "MeshFormats.h"
-#include "MetricRegistry.h"
 
 #include <set>
 
@@ -12,41 +11,6 @@ namespace pemesh
 
 namespace
 {
-
-constexpr const char* AllMetrics = "all";
-
-// --- metrics -------------------------------------------------------------------------------------
-
-Field<Study> MetricsField()
-{
-  return { "metrics", "\"all\" or list of metrics", "Which metrics are computed.",
-    [](const JsonValue& json, const DocumentPlace& place, Study& study)
-    {
-      study.Metrics.reset();
-      const auto* word = json.As<std::string>();
-      if (word && *word == AllMetrics)
-      {
-        return;
-      }
-      study.Metrics = ReadTexts(json, place);
-      std::set<std::string> seen;
-      for (const std::string& name : *study.Metrics)
-      {
-        if (!FindMetric(name))
-        {
-          place.Fail("names \"" + name + "\", which is no metric; did you mean \"" +
-            NearestWord(name, NamesOf(Metrics())) + "\"?");
-        }
-        if (!seen.insert(name).second)
-        {
-          place.Fail("names \"" + name + "\" twice.");
-        }
-      }
-    },
-    [](const Study& study) {
-      return study.Metrics ? WriteTextList(*study.Metrics) : JsonValue{ std::string(AllMetrics) };
-    } };
-}
 
 // --- the whole document --------------------------------------------------------------------------
 

@@ -50,6 +50,17 @@ JsonValue ParseSettingValue(std::string_view text, const std::string& setting)
   }
 }
 
+/** "metrics": "all" and lists are short for {"names": …}: written out where another key is set. */
+void WriteOutMetrics(JsonValue& json, const std::string& path)
+{
+  auto* document = json.As<JsonValue::Object>();
+  JsonValue* metrics = document ? FindMember(*document, "metrics") : nullptr;
+  if (metrics && path.starts_with("metrics.") && !metrics->As<JsonValue::Object>())
+  {
+    *metrics = { JsonValue::Object{ { "names", *metrics } } };
+  }
+}
+
 /** A path that is relative to one folder, relative to another. */
 std::string MovePath(const std::string& path, const fs::path& from, const fs::path& to)
 {
@@ -106,6 +117,7 @@ std::string ApplySetting(std::string_view text, std::string_view setting)
       "The setting \"" + shown + "\" is not PATH=VALUE, for example mesh.min-angle=25.");
   }
   JsonValue json = ParseJson(text, "study");
+  WriteOutMetrics(json, shown.substr(0, equals));
   SetAtPath(json, setting.substr(0, equals), ParseSettingValue(setting.substr(equals + 1), shown),
     "The setting \"" + shown + "\"");
   return FormatJson(json);

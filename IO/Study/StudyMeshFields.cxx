@@ -5,6 +5,7 @@
 #include "DomainShapes.h"
 #include "MetricRegistry.h"
 #include "ParameterFields.h"
+#include "StraightVertices.h"
 #include "StudyFields.h"
 #include "Tessellations.h"
 
@@ -140,7 +141,7 @@ FieldTable<StudyAgglomeration> AgglomerationFields()
         "Whether placed polygons are left alone.")
         .Only(Merges, which),
       ChoiceField("straight-vertices", &StudyAgglomeration::StraightVertices,
-        { "keep", "remove-exact", "remove-rounded" },
+        { std::begin(StraightVerticesNames), std::end(StraightVerticesNames) },
         "Whether vertices of two elements that lie on a straight side are removed: those exactly "
         "on it, or those that only rounding keeps off it too.")
         .Only(Merges, which) });

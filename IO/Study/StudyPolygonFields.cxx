@@ -141,29 +141,14 @@ Field<StudyScatter> FamiliesField()
   return field;
 }
 
-Field<StudyScatter> SeedField()
-{
-  Field<StudyScatter> field = NumberField(
-    "seed", &StudyScatter::Seed, { 0.0, MostSeeds }, "Another integer, other polygons.");
-  field.Type = "integer at least 0";
-  field.Read = [](const JsonValue& json, const DocumentPlace& place, StudyScatter& scatter)
-  {
-    scatter.Seed = ReadNumber(json, place, { 0.0, MostSeeds });
-    if (scatter.Seed != std::trunc(scatter.Seed))
-    {
-      place.Fail("is " + ShowValue(json) + " where an integer is expected.");
-    }
-  };
-  return field;
-}
-
 FieldTable<StudyScatter> ScatterFields()
 {
   const NumberRange positive{ .Least = 0.0, .ExcludesLeast = true };
   FieldTable<StudyScatter> table;
   table.Fields = { IntegerField("count", &StudyScatter::Count, 1, static_cast<int>(MostScattered),
                      "How many polygons."),
-    SeedField(), FamiliesField(),
+    WholeField("seed", &StudyScatter::Seed, { 0.0, MostSeeds }, "Another number, other polygons."),
+    FamiliesField(),
     ChoiceField("order", &StudyScatter::Order, { "cycle", "random" },
       "Whether the families follow one another or are drawn."),
     NumberField("smallest-scale", &StudyScatter::SmallestScale, positive,

@@ -129,6 +129,27 @@ TEST(MeshView, ClassesAndExtremesAreTold)
   EXPECT_TRUE(ChartSupport::Run("grep -q 'max 9 (element 8)' \"" + path + ".txt\""));
 }
 
+TEST(MeshView, MarkedElementsAreFramedAndSaid)
+{
+  vtkNew<vtkPEMMeshView> view;
+  view->SetMesh(ChartSupport::MakeSquares(3));
+  view->SetMarkedElements({ 4, 7, -1, 9 }, "Framed: 2 of 9 elements.");
+  auto picture = Paint(view, "Marked");
+  const std::array<unsigned char, 3> frame = { 220, 0, 130 };
+  const std::array<unsigned char, 3> fill = { 252, 212, 233 };
+  EXPECT_EQ(ColorAt(picture, view, 0.5, 1.0 / 3.0), frame);
+  EXPECT_EQ(ColorAt(picture, view, 0.5, 0.5), fill) << "element 4";
+  EXPECT_EQ(ColorAt(picture, view, 0.5, 0.85), fill) << "element 7";
+  EXPECT_NE(ColorAt(picture, view, 0.5, 0.15), fill);
+  EXPECT_NE(ColorAt(picture, view, 0.15, 1.0 / 3.0), frame);
+  vtkNew<vtkPEMFigure> figure;
+  figure->AddPanel(view);
+  const std::string path = ChartSupport::OutputPath("Marked.pdf");
+  ASSERT_TRUE(figure->Write(path));
+  ASSERT_TRUE(ChartSupport::Run("pdftotext \"" + path + "\" \"" + path + ".txt\""));
+  EXPECT_TRUE(ChartSupport::Run("grep -q 'Framed: 2 of 9 elements.' \"" + path + ".txt\""));
+}
+
 TEST(MeshView, BadInputIsNamed)
 {
   vtkNew<vtkPEMMeshView> view;

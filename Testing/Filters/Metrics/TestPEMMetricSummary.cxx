@@ -204,7 +204,7 @@ TEST(vtkPEMMetricSummary, ChoosesNumbersOfTheMesh)
   EXPECT_EQ(ColumnNames(summary->GetOutput()), expected);
   EXPECT_NEAR(
     Number(summary->GetOutput(), "MeshRho"), std::sqrt((std::sqrt(0.5) + 1.75) / 3.0), 1e-15);
-  summary->SelectDefaultMeshMetrics();
+  summary->SetMeshMetrics({ "usual" });
   summary->SelectAllMetrics();
   EXPECT_EQ(summary->GetMeshMetrics(), pemesh::MeshMetricNames());
 }
@@ -270,7 +270,7 @@ TEST(vtkPEMMetricSummary, StatisticsOfGroups)
   summary->SetMetrics({ "ShortestEdge" });
   summary->SetGroups({ "all", "triangles", "polygons", "placed", "filler", "selected" });
   summary->SetStatistics({ "mean", "standard-deviation", "area-mean", "undefined", "max" });
-  summary->SetSelectionArray("Mine");
+  summary->SetSelection("Mine");
   summary->Update();
   vtkTable* table = summary->GetOutput();
   EXPECT_EQ(Number(table, "ShortestEdge_mean"), 2.2);
@@ -288,10 +288,25 @@ TEST(vtkPEMMetricSummary, StatisticsOfGroups)
   EXPECT_EQ(Number(table, "ShortestEdge_max_element_filler"), 3);
   EXPECT_EQ(Number(table, "ShortestEdge_mean_selected"), 2.5);
   EXPECT_EQ(table->GetColumnByName("ShortestEdge_min"), nullptr);
-  summary->SetSelectionArray("no such array");
+  EXPECT_EQ(table->GetValueByName(0, "Status").ToString(), "ok");
+  summary->SetSelection("ShortestEdge:2:3");
+  summary->Update();
+  EXPECT_EQ(Number(summary->GetOutput(), "ShortestEdge_mean_selected"), 2.5);
+  summary->SetSelection("NumberOfEdges::3.5"); // of a metric that is not asked for
+  summary->Update();
+  EXPECT_EQ(Number(summary->GetOutput(), "ShortestEdge_mean_selected"), 1.0);
+  summary->SetSelection("AreaJump:0:1"); // no neighbours: undefined, never selected
+  summary->Update();
+  EXPECT_TRUE(std::isnan(Number(summary->GetOutput(), "ShortestEdge_mean_selected")));
+  EXPECT_EQ(summary->GetOutput()->GetValueByName(0, "Status").ToString(), "ok");
+  summary->SetSelection("PolygonId:0:0");
+  summary->Update();
+  EXPECT_EQ(Number(summary->GetOutput(), "ShortestEdge_mean_selected"), 2.0);
+  summary->SetSelection("no such array");
   summary->Update();
   EXPECT_TRUE(std::isnan(Number(summary->GetOutput(), "ShortestEdge_mean_selected")));
   EXPECT_EQ(Number(summary->GetOutput(), "ShortestEdge_max_element_selected"), -1);
+  EXPECT_EQ(summary->GetOutput()->GetValueByName(0, "Status").ToString(), "no-such-array");
 }
 
 TEST(vtkPEMMetricSummary, QuantilesAndHistogram)

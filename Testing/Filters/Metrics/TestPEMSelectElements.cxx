@@ -4,6 +4,7 @@
 #include "vtkPEMSelectElements.h"
 
 #include "CaseStatus.h"
+#include "ElementSelection.h"
 #include "MetricMeshes.h"
 
 #include <gtest/gtest.h>
@@ -124,6 +125,41 @@ TEST(vtkPEMSelectElements, TheExtremeOnes)
   EXPECT_EQ(Elements(filter), (std::vector<int>{ 4 }));
   filter->SetCount(100);
   EXPECT_EQ(Elements(filter).size(), 5U);
+}
+
+TEST(vtkPEMSelectElements, BySelectionAsItIsWritten)
+{
+  vtkNew<vtkPEMSelectElements> filter;
+  filter->SetInputData(Strip());
+  const std::vector<std::pair<std::string, std::vector<int>>> cases = { { "Area:3:4", { 0, 2 } },
+    { "Area::3", { 0, 1, 3 } }, { "Area:4:", { 2, 4 } }, { "Area:1e0:1", { 1, 3 } },
+    { "Area::", { 0, 1, 2, 3, 4 } }, { "Area", { 0, 1, 2, 3, 4 } }, { "Area:-inf:2.5", { 1, 3 } } };
+  for (const auto& [text, expected] : cases)
+  {
+    filter->SetSelection(text);
+    EXPECT_EQ(Elements(filter), expected) << text;
+  }
+  for (const char* text : { "Area:4:3", "Area:a:b", "Area:3", ":1:2", "Area:nan:", ":" })
+  {
+    std::string fault;
+    EXPECT_TRUE(pemesh::ParseElementSelection(text, fault).Array.empty()) << text;
+    EXPECT_NE(fault.find("\"" + std::string(text) + "\""), std::string::npos) << text;
+  }
+}
+
+TEST(vtkPEMSelectElements, ExtremesAreAnOutputOfTheirOwn)
+{
+  vtkNew<vtkPEMSelectElements> filter;
+  filter->SetInputData(Strip());
+  filter->SetSelection("Area:3:4");
+  constexpr int Port = vtkPEMSelectElements::ExtremePort;
+  EXPECT_EQ(Elements(filter, Port), (std::vector<int>{ 1, 4 })) << "of equal ones the first";
+  EXPECT_EQ(CellValue(filter->GetOutput(Port), "Extreme", 0), -1.0);
+  EXPECT_EQ(CellValue(filter->GetOutput(Port), "Extreme", 1), 1.0);
+  EXPECT_EQ(CellValue(filter->GetOutput(Port), "Area", 1), 5.0);
+  filter->SetMetric("NumberOfEdges"); // all have four
+  EXPECT_EQ(Elements(filter, Port), std::vector<int>{ 0 });
+  EXPECT_EQ(CellValue(filter->GetOutput(Port), "Extreme", 0), 0.0);
 }
 
 TEST(vtkPEMSelectElements, UndefinedIsNeverSelected)

@@ -16,6 +16,7 @@
 
 #include <cmath>
 #include <limits>
+#include <set>
 #include <sstream>
 
 namespace
@@ -76,6 +77,38 @@ TEST(PEMCorrelation, DefaultPairs)
   EXPECT_EQ(pairs,
     (std::vector<std::string>{ "Area_min Area_max", "Area_min Area_mean", "Area_min vem_error",
       "Area_max Area_mean", "Area_max vem_error", "Area_mean vem_error" }));
+}
+
+TEST(PEMCorrelation, StatisticsOfMetricsAreNoPerformances)
+{
+  auto table = vtkSmartPointer<vtkTable>::New();
+  for (const char* name : { "MinAngle_deviation", "MinAngle_q0.05_placed", "MinAngle_bin1",
+         "MinAngle_undefined", "MinAngle_min_element", "run_dofs" })
+  {
+    vtkNew<vtkDoubleArray> column;
+    column->SetName(name);
+    for (const double value : { 1.0, 2.0, 4.0 })
+    {
+      column->InsertNextValue(value);
+    }
+    table->AddColumn(column);
+  }
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->Update();
+  std::set<std::string> x;
+  std::set<std::string> y;
+  vtkTable* pairs = correlation->GetOutput();
+  for (vtkIdType row = 0; row < pairs->GetNumberOfRows(); ++row)
+  {
+    x.insert(pairs->GetValueByName(row, "X").ToString());
+    y.insert(pairs->GetValueByName(row, "Y").ToString());
+  }
+  const std::set<std::string> metrics = { "MinAngle_deviation", "MinAngle_q0.05_placed" };
+  EXPECT_EQ(x, metrics) << "no counts, no elements";
+  EXPECT_TRUE(y.count("run_dofs"));
+  EXPECT_FALSE(y.count("MinAngle_bin1"));
+  EXPECT_FALSE(y.count("MinAngle_undefined"));
 }
 
 TEST(PEMCorrelation, AlongOneFamilyOnlyTheTrend)

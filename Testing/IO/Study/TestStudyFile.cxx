@@ -42,8 +42,7 @@ TEST(StudyFile, ReadsEveryKey)
   EXPECT_EQ(study.Mesh.MaximumArea.Value, 0.01);
   EXPECT_EQ(study.Mesh.MinimumAngle, 25.5);
   EXPECT_TRUE(study.Mesh.PreservePolygons);
-  ASSERT_TRUE(study.Metrics);
-  EXPECT_EQ(*study.Metrics, (std::vector<std::string>{ "MinAngle", "Area" }));
+  EXPECT_EQ(study.Metrics.Names, (std::vector<std::string>{ "MinAngle", "Area" }));
   ASSERT_EQ(study.Solvers.size(), 2u);
   EXPECT_EQ(study.Solvers[0].Name, "plain");
   EXPECT_EQ(study.Solvers[0].TimeLimit, 60.0);
@@ -83,7 +82,7 @@ TEST(StudyFile, DefaultsOfAShortStudy)
   EXPECT_EQ(study.Mesh.MinimumAngle, 20.0);
   EXPECT_EQ(study.Mesh.MaximumArea.Rule, "diagonal");
   EXPECT_FALSE(study.Mesh.PreservePolygons);
-  EXPECT_FALSE(study.Metrics);
+  EXPECT_EQ(study.Metrics, pemesh::StudyMetrics());
   EXPECT_TRUE(study.Solvers.empty());
   EXPECT_EQ(study.Plots[0].X, "t");
   EXPECT_EQ(study.Output.Formats, std::vector<std::string>{ "vtp" });
@@ -104,6 +103,27 @@ TEST(StudyFile, StudyOfMeshFiles)
   {
     EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study);
   }
+}
+
+TEST(StudyFile, MetricsInLongAndShortForm)
+{
+  const auto MetricsOf = [](const std::string& metrics)
+  {
+    const Study study =
+      ParseStudy(R"({"pemesh": 1, "polygons": [], "metrics": )" + metrics + "}", "s.json");
+    EXPECT_EQ(ParseStudy(FormatStudy(study), "s.json"), study) << metrics;
+    return study.Metrics;
+  };
+  EXPECT_EQ(MetricsOf(R"("all")"), pemesh::StudyMetrics());
+  EXPECT_EQ(MetricsOf("{}"), pemesh::StudyMetrics());
+  EXPECT_EQ(MetricsOf(R"(["Area"])"), MetricsOf(R"({"names": "Area"})"));
+  EXPECT_TRUE(MetricsOf("[]").Names.empty()) << "nothing is measured";
+  const pemesh::StudyMetrics full = MetricsOf(R"({"names": ["all", "jumps"], "mesh": ["MeshRho"],
+    "statistics": ["area-mean"], "groups": ["all", "selected"], "quantiles": [0.05, 0.5],
+    "histogram": 4, "selection": "MinAngle::0.5"})");
+  const pemesh::StudyMetrics expected{ { "all", "jumps" }, { "MeshRho" }, { "area-mean" },
+    { "all", "selected" }, { 0.05, 0.5 }, 4, "MinAngle::0.5" };
+  EXPECT_EQ(full, expected);
 }
 
 TEST(StudyFile, BareSquareIsOneMesh)
@@ -208,7 +228,14 @@ TEST(StudyFile, FormattingWritesEveryDefault)
     "tile": [1, 1],
     "agglomerate": {"rule": "none"}
   },
-  "metrics": "all",
+  "metrics": {
+    "names": ["all"],
+    "mesh": ["usual"],
+    "statistics": ["min", "max", "mean"],
+    "groups": ["all"],
+    "quantiles": [],
+    "histogram": 0
+  },
   "solvers": [],
   "plots": [],
   "output": {"formats": ["vtp"]}

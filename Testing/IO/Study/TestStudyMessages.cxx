@@ -193,6 +193,10 @@ TEST(StudyMessages, OfMetricsSolversAndOutput)
     "\"s.json\": metrics names \"MinAngel\", which is no metric; did you mean \"MinAngle\"?");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("metrics": ["Area", "Area"])")),
     "\"s.json\": metrics names \"Area\" twice.");
+  EXPECT_EQ(ComplaintAbout(Polygons(R"("metrics": "al")")),
+    "\"s.json\": metrics names \"al\", which is no metric; did you mean \"all\"?");
+  EXPECT_EQ(ComplaintAbout(Polygons(R"("metrics": ["KAR"])")),
+    "\"s.json\": metrics names \"KAR\", which is no metric; did you mean \"KernelAreaRatio\"?");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("solvers": [{}])")),
     "\"s.json\": solvers[0].solver is missing (text).");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("solvers": [{"solver": "a", "x": [1]}])")),
@@ -246,5 +250,41 @@ TEST(StudyMessages, SyntaxErrorsHaveLineAndColumn)
   EXPECT_THAT(ComplaintAbout("{\"pemesh\": \"\xFF\"}"), testing::StartsWith("\"s.json\", line 1"));
   EXPECT_THAT(ComplaintAbout(std::string(100000, '[')), testing::HasSubstr("levels deep"));
 }
+
+INSTANTIATE_TEST_SUITE_P(Metrics, StudyMessages,
+  testing::Values(BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": 3})",
+                    "metrics is 3 where a list is expected." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"name": "all"}})",
+      "metrics.name is not a key; did you mean names?" },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"names": ["jumps", "MinAngel"]}})",
+      "metrics.names names \"MinAngel\", which is no metric; did you mean \"MinAngle\"?" },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"mesh": ["Meshrho"]}})",
+      "metrics.mesh names \"Meshrho\", which is no metric of a mesh; did you mean \"MeshRho\"?" },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"statistics": ["min", "meen"]}})",
+      "metrics.statistics names \"meen\", which is no statistic; did you mean \"mean\"?" },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"statistics": ["min", "min"]}})",
+      "metrics.statistics names \"min\" twice." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"groups": "triangle"}})",
+      "metrics.groups names \"triangle\", which is no group of elements; did you mean "
+      "\"triangles\"?" },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"quantiles": [0.5, 1.5]}})",
+      "metrics.quantiles[1] is 1.5; it must be between 0 and 1." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"quantiles": "median"}})",
+      "metrics.quantiles is \"median\" where a list is expected." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"histogram": 1.5}})",
+      "metrics.histogram is 1.5 where an integer is expected." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"groups": ["selected"]}})",
+      "metrics.selection is missing (text)." },
+    BadStudy{ R"({"pemesh": 1, "polygons": [], "metrics": {"selection": "MinAngle:0:1"}})",
+      "metrics.selection does not apply here: it is a key of groups with selected." },
+    BadStudy{
+      R"({"pemesh": 1, "polygons": [], "metrics": {"groups": "selected", "selection": "MinAngle:1:0"}})",
+      "metrics.selection is wrong. The selection \"MinAngle:1:0\" is empty: it begins at 1 and "
+      "ends "
+      "at 0." },
+    BadStudy{
+      R"({"pemesh": 1, "polygons": [], "metrics": {"groups": "selected", "selection": "MinAngle<1:"}})",
+      "metrics.selection is wrong. The selection \"MinAngle<1:\" is not METRIC:FROM:TO: write it "
+      "like MinAngle:0.1:0.5, or MinAngle::0.5 for all values up to 0.5." }));
 
 } // namespace

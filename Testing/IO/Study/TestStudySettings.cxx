@@ -32,6 +32,22 @@ TEST(StudySettings, ChangeOneValue)
   EXPECT_EQ(With("output={\"formats\": []}").Output.Formats.size(), 0u);
 }
 
+TEST(StudySettings, OfMetricsWriteOutTheShortForm)
+{
+  const pemesh::StudyMetrics metrics = With("metrics.quantiles=[0.05, 0.95]").Metrics;
+  EXPECT_EQ(metrics.Names, (std::vector<std::string>{ "MinAngle", "Area" }));
+  EXPECT_EQ(metrics.Quantiles, (std::vector<double>{ 0.05, 0.95 }));
+  EXPECT_EQ(With("metrics.quantiles=0.5").Metrics.Quantiles, std::vector<double>{ 0.5 });
+  EXPECT_EQ(With("metrics=all").Metrics, pemesh::StudyMetrics());
+  EXPECT_EQ(With("metrics[0]=Diameter").Metrics.Names.front(), "Diameter");
+  const std::string groups = ApplySetting(FullStudy, "metrics.groups=[\"all\", \"selected\"]");
+  const std::string both = ApplySetting(groups, "metrics.selection=MinAngle::0.5");
+  EXPECT_EQ(pemesh::ParseStudy(both, "s.json").Metrics.Selection, "MinAngle::0.5");
+  const char* bare = R"({"pemesh": 1, "polygons": []})";
+  EXPECT_EQ(pemesh::ParseStudy(ApplySetting(bare, "metrics.histogram=4"), "s.json").Metrics.Names,
+    std::vector<std::string>{ "all" });
+}
+
 TEST(StudySettings, LeaveTheRestAlone)
 {
   pemesh::Study expected = pemesh::ParseStudy(FullStudy, "s.json");
