@@ -7,6 +7,8 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <algorithm>
+
 namespace pemesh
 {
 
@@ -20,6 +22,47 @@ struct CopyIds
   {
     const auto range = state.GetCellRange(element);
     ids.assign(range.begin(), range.end());
+  }
+};
+
+/** Coordinates of an element, from an array of x, y, z. */
+struct CopyVertices
+{
+  template <typename CellState>
+  void operator()(CellState& state, vtkIdType element, const double* coordinates,
+    std::vector<Point2>& vertices) const
+  {
+    const auto range = state.GetCellRange(element);
+    vertices.resize(static_cast<std::size_t>(range.size()));
+    auto vertex = vertices.begin();
+    for (const vtkIdType id : range)
+    {
+      *vertex++ = { coordinates[3 * id], coordinates[3 * id + 1] };
+    }
+  }
+};
+
+/** The first element with fewer than three vertices, or with one that there is not; else -1. */
+struct FindUnusable
+{
+  template <typename CellState>
+  vtkIdType operator()(CellState& state, vtkIdType points) const
+  {
+    const vtkIdType elements = state.GetNumberOfCells();
+    for (vtkIdType element = 0; element < elements; ++element)
+    {
+      const auto range = state.GetCellRange(element);
+      bool isUsable = range.size() >= 3;
+      for (const vtkIdType id : range)
+      {
+        isUsable = isUsable && id >= 0 && id < points;
+      }
+      if (!isUsable)
+      {
+        return element;
+      }
+    }
+    return -1;
   }
 };
 
@@ -48,25 +91,21 @@ std::string ElementAccess::WhyUnusable(vtkPolyData* mesh)
     return "the mesh has cells that are not polygons (vertices, lines or strips)";
   }
   const vtkIdType points = mesh->GetNumberOfPoints();
-  ElementAccess access(mesh);
-  std::vector<vtkIdType> ids;
-  for (vtkIdType element = 0; element < access.GetNumberOfElements(); ++element)
+  const vtkIdType element = mesh->GetPolys()->Visit(FindUnusable{}, points);
+  if (element < 0)
   {
-    access.GetVertexIds(element, ids);
-    if (ids.size() < 3)
-    {
-      return "element " + std::to_string(element) + " has fewer than three vertices";
-    }
-    for (const vtkIdType id : ids)
-    {
-      if (id < 0 || id >= points)
-      {
-        return "element " + std::to_string(element) + " uses vertex " + std::to_string(id) +
-          ", and the mesh has " + std::to_string(points) + " vertices";
-      }
-    }
+    return {};
   }
-  return {};
+  std::vector<vtkIdType> ids;
+  ElementAccess(mesh).GetVertexIds(element, ids);
+  if (ids.size() < 3)
+  {
+    return "element " + std::to_string(element) + " has fewer than three vertices";
+  }
+  const auto missing =
+    std::ranges::find_if(ids, [points](vtkIdType id) { return id < 0 || id >= points; });
+  return "element " + std::to_string(element) + " uses vertex " + std::to_string(*missing) +
+    ", and the mesh has " + std::to_string(points) + " vertices";
 }
 
 vtkIdType ElementAccess::GetNumberOfElements() const
@@ -81,21 +120,18 @@ void ElementAccess::GetVertexIds(vtkIdType element, std::vector<vtkIdType>& ids)
 
 void ElementAccess::GetVertices(vtkIdType element, std::vector<Point2>& vertices)
 {
-  this->GetVertexIds(element, this->Ids);
-  vertices.resize(this->Ids.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i)
+  if (this->Coordinates)
   {
-    const vtkIdType id = this->Ids[i];
-    if (this->Coordinates)
-    {
-      vertices[i] = { this->Coordinates[3 * id], this->Coordinates[3 * id + 1] };
-    }
-    else
-    {
-      double point[3];
-      this->Points->GetPoint(id, point);
-      vertices[i] = { point[0], point[1] };
-    }
+    this->Polygons->Visit(CopyVertices{}, element, this->Coordinates, vertices);
+    return;
+  }
+  this->GetVertexIds(element, this->Ids);
+  vertices.clear();
+  for (const vtkIdType id : this->Ids)
+  {
+    double point[3];
+    this->Points->GetPoint(id, point);
+    vertices.push_back({ point[0], point[1] });
   }
 }
 

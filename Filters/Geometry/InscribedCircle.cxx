@@ -31,6 +31,9 @@ Circle InscribedCircleOfTriangle(PolygonView t)
   return { center, 2.0 * std::abs(SignedArea(t)) / perimeter };
 }
 
+/** Of the distance to a plane: below that, equal planes would take turns in the linear program. */
+constexpr double RoundingOfPlanes = 1e-15;
+
 struct AreaAndCentroid
 {
   double Area = 0.0;
@@ -72,14 +75,15 @@ Circle InscribedCircleFinder::Find(PolygonView polygon, bool convex)
   return convex ? this->FindInKernel(polygon) : this->FindByClimbing(polygon);
 }
 
-/** The bounding box as the region of the linear program, relative to `middle`. */
-void InscribedCircleFinder::AddBox(const Point2& middle)
+/** The bounding box as the region of the linear program, relative to `middle`, as far as `reach`.
+ */
+void InscribedCircleFinder::AddBox(const Point2& middle, double reach)
 {
   this->Program.Clear();
-  this->Program.AddSide({ 1.0, 0.0 }, this->High.x - middle.x);
-  this->Program.AddSide({ 0.0, 1.0 }, this->High.y - middle.y);
-  this->Program.AddSide({ -1.0, 0.0 }, middle.x - this->Low.x);
-  this->Program.AddSide({ 0.0, -1.0 }, middle.y - this->Low.y);
+  this->Program.AddSide({ 1.0, 0.0 }, std::min(reach, this->High.x - middle.x));
+  this->Program.AddSide({ 0.0, 1.0 }, std::min(reach, this->High.y - middle.y));
+  this->Program.AddSide({ -1.0, 0.0 }, std::min(reach, middle.x - this->Low.x));
+  this->Program.AddSide({ 0.0, -1.0 }, std::min(reach, middle.y - this->Low.y));
 }
 
 void InscribedCircleFinder::SetPolygon(PolygonView polygon)
@@ -99,14 +103,14 @@ Circle InscribedCircleFinder::FindInKernel(PolygonView polygon)
   this->SetPolygon(polygon);
   const Point2 middle = { 0.5 * (this->Low.x + this->High.x), 0.5 * (this->Low.y + this->High.y) };
   this->Program.ForgetBasis();
-  this->AddBox(middle);
+  this->AddBox(middle, std::numeric_limits<double>::infinity());
   for (const Edge& edge : this->Boundary.GetEdges())
   {
     const Point2 normal = LeftOf(edge.Direction);
     this->Program.AddBound(Dot(normal, middle - edge.Start), normal);
   }
   const SmallLinearProgram::Solution solution =
-    this->Program.Solve(1e-16 * this->Boundary.GetScale(), 0.0);
+    this->Program.Solve(RoundingOfPlanes * this->Boundary.GetScale(), 0.0);
   const Point2 center = middle + solution.Position;
   double radius = solution.Height > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
   for (const Edge& edge : this->Boundary.GetEdges())
@@ -188,7 +192,7 @@ void InscribedCircleFinder::Climb(Point2 point)
   for (double before = 0.0; distance > before * (1.0 + LeastGain);)
   {
     before = distance;
-    if (!this->ClimbStep(point, distance))
+    if (!this->ClimbStep(point, distance) || this->IsAtTop(distance))
     {
       break;
     }
@@ -206,13 +210,14 @@ void InscribedCircleFinder::Climb(Point2 point)
  */
 bool InscribedCircleFinder::ClimbStep(Point2& point, double& distance)
 {
-  this->AddBox(point);
+  this->AddBox(point, distance); // farther than that the planes tell little
   for (const Site& site : this->Sites)
   {
     this->Program.AddBound(site.Distance, site.Away);
   }
-  const SmallLinearProgram::Solution solution =
-    this->Program.Solve(1e-16 * this->Boundary.GetScale(), distance);
+  constexpr double LeastViolation = 1e-13; // the cover of the boundary asks for 1e-11
+  const SmallLinearProgram::Solution solution = this->Program.Solve(
+    std::max(LeastViolation * distance, RoundingOfPlanes * this->Boundary.GetScale()), distance);
   if (!solution.Optimal)
   {
     return false;
@@ -228,6 +233,21 @@ bool InscribedCircleFinder::ClimbStep(Point2& point, double& distance)
   distance = nextDistance;
   std::swap(this->Sites, this->NextSites);
   return true;
+}
+
+/**
+ * Whether the planes that carry the last step touch the distances where it ended, as those of lines
+ * do everywhere: then no further step gains more than the difference.
+ */
+bool InscribedCircleFinder::IsAtTop(double distance) const
+{
+  constexpr double LeastGain = 1e-12;
+  return std::ranges::all_of(this->Program.GetActiveBounds(),
+    [&](std::ptrdiff_t i)
+    {
+      return i >= 0 &&
+        this->Sites[static_cast<std::size_t>(i)].Distance <= distance * (1.0 + LeastGain);
+    });
 }
 
 Circle LargestInscribedCircle(PolygonView polygon)

@@ -59,11 +59,12 @@ private:
 
   void SetPolygon(PolygonView polygon);
   Circle FindByClimbing(PolygonView polygon);
-  void AddBox(const Point2& middle);
+  void AddBox(const Point2& middle, double reach);
   double Tolerance() const;
   double SeeAll(const Point2& point, std::vector<Site>& sites) const;
   void Climb(Point2 point);
   bool ClimbStep(Point2& point, double& distance);
+  bool IsAtTop(double distance) const;
 
   Circle Best; // relative to the first vertex
   Point2 Low;  // of the bounding box

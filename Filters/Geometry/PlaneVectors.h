@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Arithmetic of vectors in the plane, for the kernels of this folder.
+ * Arithmetic of vectors in the plane.
  */
 #ifndef pemesh_PlaneVectors_h
 #define pemesh_PlaneVectors_h
@@ -28,9 +28,20 @@ inline double Dot(const Point2& a, const Point2& b)
   return a.x * b.x + a.y * b.y;
 }
 
+/** Twice the signed area of the triangle of two vectors. */
+inline double Cross(const Point2& a, const Point2& b)
+{
+  return a.x * b.y - a.y * b.x;
+}
+
 inline double Length(const Point2& a)
 {
   return std::sqrt(Dot(a, a));
+}
+
+inline double SquaredDistance(const Point2& a, const Point2& b)
+{
+  return Dot(b - a, b - a);
 }
 
 /** The unit normal to the left of a direction. */

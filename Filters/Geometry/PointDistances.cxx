@@ -154,6 +154,36 @@ PointPair FarthestPair(PolygonView points)
   return points.size() <= SmallSet ? FarthestByComparison(points) : FarthestByCalipers(points);
 }
 
+DistanceRange MeasureDistances(PolygonView points)
+{
+  if (points.size() < 2 || points.size() > SmallSet)
+  {
+    return { FarthestPair(points), ClosestPair(points).Distance };
+  }
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -1.0;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i)
+  {
+    // Without branches inside: which pair is next to be the closest or farthest is pure chance.
+    double farthest = 0.0;
+    for (std::size_t j = i + 1; j < points.size(); ++j)
+    {
+      const double squared = SquaredDistance(points[i], points[j]);
+      farthest = std::max(farthest, squared);
+      least = std::min(least, squared);
+    }
+    first = farthest > largest ? i : first;
+    largest = std::max(largest, farthest);
+  }
+  std::size_t second = first + 1;
+  while (second + 1 < points.size() && SquaredDistance(points[first], points[second]) != largest)
+  {
+    ++second;
+  }
+  return { WithDistance(points, first, second), std::sqrt(least) };
+}
+
 double Diameter(PolygonView points)
 {
   return FarthestPair(points).Distance;

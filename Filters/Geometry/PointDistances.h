@@ -41,6 +41,14 @@ PEMESHFILTERSGEOMETRY_EXPORT double Diameter(PolygonView points);
  */
 PEMESHFILTERSGEOMETRY_EXPORT PointPair ClosestPair(PolygonView points);
 
+/** Both at once, which for small sets costs little more than one. Needs at least two points. */
+struct DistanceRange
+{
+  PointPair Farthest;
+  double Least = 0.0;
+};
+PEMESHFILTERSGEOMETRY_EXPORT DistanceRange MeasureDistances(PolygonView points);
+
 } // namespace pemesh
 
 #endif

@@ -56,35 +56,35 @@ bool PolygonKernelClipper::ClipHalfPlane(const Point2& anchor, const Point2& dir
 {
   const std::size_t size = this->Kernel.size();
   this->Heights.resize(size);
-  bool cuts = false;
+  double lowest = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
     const Point2& p = this->Kernel[i];
     this->Heights[i] = direction.x * (p.y - anchor.y) - direction.y * (p.x - anchor.x);
-    cuts = cuts || this->Heights[i] < 0.0;
+    lowest = std::min(lowest, this->Heights[i]);
   }
-  if (!cuts)
+  if (!(lowest < 0.0))
   {
     return true;
   }
-  this->Clipped.clear();
+  // Every point is written and then kept or not: which it is cannot be foreseen, and a branch that
+  // goes the other way costs more than the point.
+  this->Clipped.resize(2 * size);
+  std::size_t kept = 0;
   for (std::size_t i = 0; i < size; ++i)
   {
     const std::size_t j = i + 1 == size ? 0 : i + 1;
     const double from = this->Heights[i];
     const double to = this->Heights[j];
-    if (from >= 0.0)
-    {
-      this->Clipped.push_back(this->Kernel[i]);
-    }
-    if ((from > 0.0 && to < 0.0) || (from < 0.0 && to > 0.0))
-    {
-      const Point2& p = this->Kernel[i];
-      const Point2& q = this->Kernel[j];
-      const double fraction = from / (from - to);
-      this->Clipped.push_back({ p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) });
-    }
+    const Point2 p = this->Kernel[i];
+    const Point2 q = this->Kernel[j];
+    this->Clipped[kept] = p;
+    kept += from >= 0.0 ? 1 : 0;
+    const double fraction = from / (from - to);
+    this->Clipped[kept] = { p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) };
+    kept += std::min(from, to) < 0.0 && std::max(from, to) > 0.0 ? 1 : 0;
   }
+  this->Clipped.resize(kept);
   std::swap(this->Kernel, this->Clipped);
   if (this->Kernel.size() < 3)
   {

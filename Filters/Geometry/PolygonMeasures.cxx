@@ -5,9 +5,11 @@
 #include "Predicates.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 namespace pemesh
 {
@@ -339,54 +341,98 @@ bool IsConvex(PolygonView polygon)
   return true;
 }
 
-bool HasCrossingEdges(PolygonView polygon)
+namespace
+{
+
+struct EdgeBox
+{
+  double Left;
+  double Right;
+  double Bottom;
+  double Top;
+};
+
+EdgeBox BoxOf(const Point2& a, const Point2& b)
+{
+  return { std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y) };
+}
+
+/** Without branches: most boxes are apart, but in which direction cannot be foreseen. */
+bool DoBoxesMeet(const EdgeBox& a, const EdgeBox& b)
+{
+  return (static_cast<int>(a.Left <= b.Right) & static_cast<int>(b.Left <= a.Right) &
+           static_cast<int>(a.Bottom <= b.Top) & static_cast<int>(b.Bottom <= a.Top)) != 0;
+}
+
+/** Of two edges, by the index of the first vertex, that have none in common. */
+bool DoEdgesCross(PolygonView polygon, std::size_t i, std::size_t j)
 {
   const std::size_t size = polygon.size();
-  // Edges sorted by their left end are swept; edges whose boxes are apart are not compared.
-  std::vector<std::size_t> order;
-  if (size > 48)
+  if (NextIndex(i, size) == j || NextIndex(j, size) == i)
   {
-    order.resize(size);
-    std::iota(order.begin(), order.end(), std::size_t{ 0 });
-    const auto LeftEnd = [&](std::size_t i)
-    { return std::min(polygon[i].x, polygon[NextIndex(i, size)].x); };
-    std::sort(order.begin(), order.end(),
-      [&](std::size_t i, std::size_t j)
-      { return LeftEnd(i) < LeftEnd(j) || (LeftEnd(i) == LeftEnd(j) && i < j); });
+    return false;
   }
-  for (std::size_t k = 0; k < size; ++k)
+  const Point2& a = polygon[i];
+  const Point2& b = polygon[NextIndex(i, size)];
+  const Point2& c = polygon[j];
+  const Point2& d = polygon[NextIndex(j, size)];
+  return Orientation(a, b, c) * Orientation(a, b, d) < 0 &&
+    Orientation(c, d, a) * Orientation(c, d, b) < 0;
+}
+
+constexpr std::size_t FewEdges = 48; // up to here comparing all pairs is faster than sorting
+
+bool HasCrossingPair(PolygonView polygon)
+{
+  const std::size_t size = polygon.size();
+  std::array<EdgeBox, FewEdges> boxes;
+  for (std::size_t i = 0; i < size; ++i)
   {
-    const std::size_t i = order.empty() ? k : order[k];
-    const Point2& a = polygon[i];
-    const Point2& b = polygon[NextIndex(i, size)];
-    const auto [left, right] = std::minmax(a.x, b.x);
-    const auto [bottom, top] = std::minmax(a.y, b.y);
-    for (std::size_t l = k + 1; l < size; ++l)
+    boxes[i] = BoxOf(polygon[i], polygon[NextIndex(i, size)]);
+    for (std::size_t j = 0; j + 1 < i; ++j)
     {
-      const std::size_t j = order.empty() ? l : order[l];
-      const Point2& c = polygon[j];
-      const Point2& d = polygon[NextIndex(j, size)];
-      if (std::min(c.x, d.x) > right)
-      {
-        if (!order.empty())
-        {
-          break;
-        }
-        continue;
-      }
-      if (std::max(c.x, d.x) < left || std::min(c.y, d.y) > top || std::max(c.y, d.y) < bottom ||
-        NextIndex(i, size) == j || NextIndex(j, size) == i)
-      {
-        continue;
-      }
-      if (Orientation(a, b, c) * Orientation(a, b, d) < 0 &&
-        Orientation(c, d, a) * Orientation(c, d, b) < 0)
+      if (DoBoxesMeet(boxes[i], boxes[j]) && DoEdgesCross(polygon, j, i))
       {
         return true;
       }
     }
   }
   return false;
+}
+
+/** Edges sorted by their left end are swept. */
+bool HasCrossingInSweep(PolygonView polygon)
+{
+  const std::size_t size = polygon.size();
+  std::vector<EdgeBox> boxes(size);
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    boxes[i] = BoxOf(polygon[i], polygon[NextIndex(i, size)]);
+  }
+  std::vector<std::size_t> order(size);
+  std::iota(order.begin(), order.end(), std::size_t{ 0 });
+  std::sort(order.begin(), order.end(),
+    [&](std::size_t i, std::size_t j)
+    { return boxes[i].Left < boxes[j].Left || (boxes[i].Left == boxes[j].Left && i < j); });
+  for (std::size_t k = 0; k < size; ++k)
+  {
+    const std::size_t i = order[k];
+    for (std::size_t l = k + 1; l < size && boxes[order[l]].Left <= boxes[i].Right; ++l)
+    {
+      if (DoBoxesMeet(boxes[i], boxes[order[l]]) && DoEdgesCross(polygon, i, order[l]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+bool HasCrossingEdges(PolygonView polygon)
+{
+  return polygon.size() <= FewEdges ? HasCrossingPair(polygon) : HasCrossingInSweep(polygon);
 }
 
 } // namespace pemesh

@@ -11,19 +11,47 @@ namespace pemesh
 
 void SmallLinearProgram::Clear()
 {
-  this->Rows.clear();
+  this->Groups.clear();
+  this->Size = 0;
   this->Sides = 0;
+}
+
+void SmallLinearProgram::AddRow(const Row& row)
+{
+  const std::size_t k = this->Size % GroupSize;
+  if (k == 0)
+  {
+    this->Groups.emplace_back();
+    this->Groups.back().C.fill(std::numeric_limits<double>::infinity());
+  }
+  Group& group = this->Groups.back();
+  group.X[k] = row.X;
+  group.Y[k] = row.Y;
+  group.R[k] = row.R;
+  group.C[k] = row.C;
+  ++this->Size;
 }
 
 void SmallLinearProgram::AddSide(const Point2& outwardNormal, double offset)
 {
-  this->Rows.push_back({ outwardNormal.x, outwardNormal.y, 0.0, offset });
+  this->AddRow({ outwardNormal.x, outwardNormal.y, 0.0, offset });
   ++this->Sides;
 }
 
 void SmallLinearProgram::AddBound(double height, const Point2& slope)
 {
-  this->Rows.push_back({ -slope.x, -slope.y, 1.0, height });
+  this->AddRow({ -slope.x, -slope.y, 1.0, height });
+}
+
+std::array<std::ptrdiff_t, 3> SmallLinearProgram::GetActiveBounds() const
+{
+  std::array<std::ptrdiff_t, 3> bounds{};
+  for (std::size_t k = 0; k < 3; ++k)
+  {
+    bounds[k] =
+      static_cast<std::ptrdiff_t>(this->Last.Rows[k]) - static_cast<std::ptrdiff_t>(this->Sides);
+  }
+  return bounds;
 }
 
 /**
@@ -32,22 +60,23 @@ void SmallLinearProgram::AddBound(double height, const Point2& slope)
  */
 bool SmallLinearProgram::StartBasis(Basis& basis) const
 {
-  const auto lowest =
-    std::min_element(this->Rows.begin() + static_cast<std::ptrdiff_t>(this->Sides),
-      this->Rows.end(), [](const Row& a, const Row& b) { return a.C < b.C; });
-  const double x = -lowest->X;
-  const double y = -lowest->Y;
+  std::size_t lowest = this->Sides;
+  for (std::size_t i = this->Sides + 1; i < this->Size; ++i)
+  {
+    lowest = this->GetRow(i).C < this->GetRow(lowest).C ? i : lowest;
+  }
+  const Row low = this->GetRow(lowest);
   double best = -std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < this->Sides; ++i)
   {
     const std::size_t j = i + 1 == this->Sides ? 0 : i + 1;
-    const Row& a = this->Rows[i];
-    const Row& b = this->Rows[j];
-    const double inside = std::min(a.X * y - a.Y * x, x * b.Y - y * b.X);
+    const Row a = this->GetRow(i);
+    const Row b = this->GetRow(j);
+    const double inside = std::min(a.Y * low.X - a.X * low.Y, low.Y * b.X - low.X * b.Y);
     if (inside > best)
     {
       best = inside;
-      basis.Rows = { i, j, static_cast<std::size_t>(lowest - this->Rows.begin()) };
+      basis.Rows = { i, j, lowest };
     }
   }
   return this->Factorize(basis);
@@ -57,8 +86,7 @@ bool SmallLinearProgram::StartBasis(Basis& basis) const
 bool SmallLinearProgram::IsLastBasisFeasible()
 {
   Basis& basis = this->Last;
-  return this->HasBasis &&
-    *std::max_element(basis.Rows.begin(), basis.Rows.end()) < this->Rows.size() &&
+  return this->HasBasis && *std::max_element(basis.Rows.begin(), basis.Rows.end()) < this->Size &&
     this->Factorize(basis) &&
     *std::min_element(basis.Multipliers.begin(), basis.Multipliers.end()) >= 0.0;
 }
@@ -66,9 +94,9 @@ bool SmallLinearProgram::IsLastBasisFeasible()
 /** Inverts the three rows by cross products; false if they are dependent. */
 bool SmallLinearProgram::Factorize(Basis& basis) const
 {
-  const Row& a = this->Rows[basis.Rows[0]];
-  const Row& b = this->Rows[basis.Rows[1]];
-  const Row& c = this->Rows[basis.Rows[2]];
+  const Row a = this->GetRow(basis.Rows[0]);
+  const Row b = this->GetRow(basis.Rows[1]);
+  const Row c = this->GetRow(basis.Rows[2]);
   const std::array<double, 3> bc = { b.Y * c.R - b.R * c.Y, b.R * c.X - b.X * c.R,
     b.X * c.Y - b.Y * c.X };
   const std::array<double, 3> ca = { c.Y * a.R - c.R * a.Y, c.R * a.X - c.X * a.R,
@@ -92,8 +120,8 @@ bool SmallLinearProgram::Factorize(Basis& basis) const
 std::size_t SmallLinearProgram::MostViolated(
   const Basis& basis, Solution& solution, double tolerance) const
 {
-  const std::array<double, 3> c = { this->Rows[basis.Rows[0]].C, this->Rows[basis.Rows[1]].C,
-    this->Rows[basis.Rows[2]].C };
+  const std::array<double, 3> c = { this->GetRow(basis.Rows[0]).C, this->GetRow(basis.Rows[1]).C,
+    this->GetRow(basis.Rows[2]).C };
   const auto Product = [&](std::size_t i)
   { return basis.Inverse[i][0] * c[0] + basis.Inverse[i][1] * c[1] + basis.Inverse[i][2] * c[2]; };
   const double x = Product(0);
@@ -101,25 +129,31 @@ std::size_t SmallLinearProgram::MostViolated(
   const double r = Product(2);
   solution.Position = { x, y };
   solution.Height = r;
-  double worst = tolerance;
-  std::size_t violated = this->Rows.size();
-  for (std::size_t i = 0; i < this->Rows.size(); ++i)
+  // The worst row of each place in its group, without branches: which it is cannot be foreseen.
+  std::array<double, GroupSize> worst;
+  std::array<double, GroupSize> where{};
+  worst.fill(tolerance);
+  double number = 0.0;
+  for (const Group& group : this->Groups)
   {
-    const Row& row = this->Rows[i];
-    const double violation = row.X * x + row.Y * y + row.R * r - row.C;
-    if (violation > worst)
+    for (std::size_t k = 0; k < GroupSize; ++k)
     {
-      worst = violation;
-      violated = i;
+      const double violation = group.X[k] * x + group.Y[k] * y + group.R[k] * r - group.C[k];
+      where[k] = violation > worst[k] ? number : where[k];
+      worst[k] = violation > worst[k] ? violation : worst[k];
     }
+    number += 1.0;
   }
-  return violated;
+  const auto largest =
+    static_cast<std::size_t>(std::max_element(worst.begin(), worst.end()) - worst.begin());
+  return worst[largest] > tolerance ? GroupSize * static_cast<std::size_t>(where[largest]) + largest
+                                    : this->Size;
 }
 
 /** Brings a row into the basis; the ratio test keeps the multipliers from going negative. */
 bool SmallLinearProgram::Exchange(Basis& basis, std::size_t entering) const
 {
-  const Row& row = this->Rows[entering];
+  const Row row = this->GetRow(entering);
   double least = std::numeric_limits<double>::infinity();
   double pivot = 0.0;
   std::size_t leaving = 3;
@@ -150,7 +184,7 @@ SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance, double 
 {
   Solution solution;
   solution.Height = std::numeric_limits<double>::infinity();
-  if (this->Sides < 3 || this->Rows.size() <= this->Sides ||
+  if (this->Sides < 3 || this->Size <= this->Sides ||
     (!this->IsLastBasisFeasible() && !this->StartBasis(this->Last)))
   {
     this->HasBasis = false;
@@ -159,11 +193,11 @@ SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance, double 
   Basis& basis = this->Last;
   this->HasBasis = true;
   // Degenerate steps could cycle in theory; the cap turns that into an upper bound.
-  const std::size_t steps = 30 + this->Rows.size();
+  const std::size_t steps = 30 + this->Size;
   for (std::size_t step = 0; step < steps; ++step)
   {
     const std::size_t entering = this->MostViolated(basis, solution, tolerance);
-    if (entering == this->Rows.size())
+    if (entering == this->Size)
     {
       solution.Optimal = true;
       break;

@@ -50,8 +50,11 @@ public:
    */
   Solution Solve(double tolerance, double enough);
 
+  /** The bounds that meet in the last optimum, in the order added; negative for sides. */
+  std::array<std::ptrdiff_t, 3> GetActiveBounds() const;
+
 private:
-  struct Row // X x + Y y + R r <= C
+  struct Row // X x + Y y + R r <= C, where R is 0 for a side and 1 for a bound
   {
     double X;
     double Y;
@@ -65,13 +68,30 @@ private:
     std::array<std::array<double, 3>, 3> Inverse;
   };
 
+  static constexpr std::size_t GroupSize = 4;
+  struct Group // rows side by side, which the processor takes two or four at a time
+  {
+    std::array<double, GroupSize> X;
+    std::array<double, GroupSize> Y;
+    std::array<double, GroupSize> R;
+    std::array<double, GroupSize> C;
+  };
+
+  Row GetRow(std::size_t i) const
+  {
+    const Group& group = this->Groups[i / GroupSize];
+    const std::size_t k = i % GroupSize;
+    return { group.X[k], group.Y[k], group.R[k], group.C[k] };
+  }
+  void AddRow(const Row& row);
   bool StartBasis(Basis& basis) const;
   bool IsLastBasisFeasible();
   bool Factorize(Basis& basis) const;
   std::size_t MostViolated(const Basis& basis, Solution& solution, double tolerance) const;
   bool Exchange(Basis& basis, std::size_t entering) const;
 
-  std::vector<Row> Rows;
+  std::vector<Group> Groups; // the last one is filled up with rows that hold everywhere
+  std::size_t Size = 0;
   std::size_t Sides = 0;
   Basis Last;
   bool HasBasis = false;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CornerMeasures.h"
 
+#include "PlaneVectors.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,21 +12,6 @@ namespace pemesh
 
 namespace
 {
-
-Point2 Difference(const Point2& a, const Point2& b)
-{
-  return { a.x - b.x, a.y - b.y };
-}
-
-double Cross(const Point2& a, const Point2& b)
-{
-  return a.x * b.y - a.y * b.x;
-}
-
-double Square(const Point2& a)
-{
-  return a.x * a.x + a.y * a.y;
-}
 
 /** The vertex after (before) vertex i. */
 const Point2& After(PolygonView polygon, std::size_t i)
@@ -40,25 +27,25 @@ const Point2& Before(PolygonView polygon, std::size_t i)
 
 bool IsStraight(const Point2& a, const Point2& b, const Point2& c, double distance)
 {
-  const Point2 back = Difference(a, b);
-  const Point2 out = Difference(c, b);
-  if (back.x * out.x + back.y * out.y >= 0.0)
+  const Point2 back = a - b;
+  const Point2 out = c - b;
+  if (Dot(back, out) >= 0.0)
   {
     return false;
   }
   const double cross = Cross(out, back); // twice the area of the triangle: chord times distance
-  return cross * cross <= distance * distance * Square(Difference(c, a));
+  return cross * cross <= distance * distance * SquaredDistance(a, c);
 }
 
 CornerShapes MeasureCorners(PolygonView polygon)
 {
   CornerShapes shapes;
-  Point2 in = Difference(polygon.front(), polygon.back());
-  double inSquare = Square(in);
+  Point2 in = polygon.front() - polygon.back();
+  double inSquare = Dot(in, in);
   for (std::size_t i = 0; i < polygon.size(); ++i)
   {
-    const Point2 out = Difference(After(polygon, i), polygon[i]);
-    const double outSquare = Square(out);
+    const Point2 out = After(polygon, i) - polygon[i];
+    const double outSquare = Dot(out, out);
     const double cross = Cross(in, out);
     shapes.SmallestSine = std::min(shapes.SmallestSine, cross / std::sqrt(inSquare * outSquare));
     shapes.SmallestFrobeniusRatio =
@@ -75,9 +62,15 @@ double SmallestSideRatio(PolygonView polygon, double distance)
   const auto IsStraightAt = [&](std::size_t i)
   { return IsStraight(Before(polygon, i), polygon[i], After(polygon, i), distance); };
   bool isAnyStraight = false;
+  Point2 in = polygon.front() - polygon.back();
   for (std::size_t i = 0; i < size && !isAnyStraight; ++i)
   {
-    isAnyStraight = IsStraightAt(i);
+    const Point2 out = After(polygon, i) - polygon[i];
+    const double cross = Cross(in, out);
+    // The square of the chord is at most twice the sum of those of the edges, and rounding.
+    isAnyStraight =
+      cross * cross <= 2.1 * distance * distance * (Dot(in, in) + Dot(out, out)) && IsStraightAt(i);
+    in = out;
   }
   if (!isAnyStraight)
   {
@@ -94,7 +87,7 @@ double SmallestSideRatio(PolygonView polygon, double distance)
   for (std::size_t k = 0; k < size; ++k)
   {
     const std::size_t i = (start + k) % size;
-    const double square = Square(Difference(After(polygon, i), polygon[i]));
+    const double square = SquaredDistance(polygon[i], After(polygon, i));
     const bool goesOn = k > 0 && IsStraightAt(i);
     shortest = goesOn ? std::min(shortest, square) : square;
     longest = goesOn ? std::max(longest, square) : square;

@@ -3,7 +3,8 @@
 #include "ElementGeometry.h"
 
 #include "EnclosingCircle.h"
-#include "MetricRegistry.h"
+#include "PlaneVectors.h"
+#include "Predicates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,14 +12,48 @@
 namespace pemesh
 {
 
+namespace
+{
+
+constexpr int After[] = { 1, 2, 0 };
+
+bool IsFinite(const Point2& point)
+{
+  return std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+} // namespace
+
 bool ElementGeometry::SetVertices(PolygonView vertices)
 {
-  this->Vertices.clear();
   this->Computed = 0;
+  this->HasSides = false;
+  return vertices.size() == 3 ? this->SetTriangle(vertices) : this->SetPolygon(vertices);
+}
+
+bool ElementGeometry::SetTriangle(PolygonView vertices)
+{
+  const Point2& a = vertices[0];
+  const Point2& b = vertices[1];
+  const Point2& c = vertices[2];
+  if (!IsFinite(a) || !IsFinite(b) || !IsFinite(c))
+  {
+    return false;
+  }
+  this->Repeated = a == b || b == c || c == a;
+  this->Convex = true;
+  const int orientation = Orientation(a, b, c);
+  this->Vertices.assign({ a, orientation < 0 ? c : b, orientation < 0 ? b : c });
+  return orientation != 0;
+}
+
+bool ElementGeometry::SetPolygon(PolygonView vertices)
+{
+  this->Vertices.clear();
   this->Repeated = false;
   for (const Point2& vertex : vertices)
   {
-    if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y))
+    if (!IsFinite(vertex))
     {
       return false;
     }
@@ -45,175 +80,157 @@ bool ElementGeometry::SetVertices(PolygonView vertices)
   return orientation != 0 && (this->Convex || !HasCrossingEdges(this->Vertices));
 }
 
-/** Whether a kernel is still to be computed; marks it as done. */
-bool ElementGeometry::Want(unsigned int need)
+const ElementGeometry::TriangleSides& ElementGeometry::GetSides()
 {
-  const bool wanted = (this->Computed & need) == 0;
-  this->Computed |= need;
-  return wanted;
-}
-
-double ElementGeometry::GetArea()
-{
-  if (this->Want(NeedsArea))
+  TriangleSides& sides = this->Sides;
+  if (this->HasSides)
   {
-    this->Area = std::abs(SignedArea(this->Vertices));
+    return sides;
   }
-  return this->Area;
+  this->HasSides = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point2 side = this->Vertices[After[After[i]]] - this->Vertices[After[i]];
+    sides.Vector[i] = side;
+    sides.Square[i] = Dot(side, side);
+    sides.Length[i] = std::sqrt(sides.Square[i]);
+    sides.Order[i] = i;
+  }
+  const auto Sort = [&sides](int& i, int& j)
+  {
+    if (sides.Square[j] < sides.Square[i])
+    {
+      std::swap(i, j);
+    }
+  };
+  Sort(sides.Order[0], sides.Order[1]);
+  Sort(sides.Order[1], sides.Order[2]);
+  Sort(sides.Order[0], sides.Order[1]);
+  return sides;
 }
 
-const EdgeLengths& ElementGeometry::GetEdges()
+void ElementGeometry::ComputeArea()
 {
-  if (this->Want(NeedsEdges))
+  this->Area = std::abs(SignedArea(this->Vertices));
+}
+
+void ElementGeometry::ComputeEdges()
+{
+  if (!this->IsTriangle())
   {
     this->Edges = MeasureEdges(this->Vertices);
+    return;
   }
-  return this->Edges;
+  const TriangleSides& sides = this->GetSides();
+  this->Edges = { sides.Length[sides.Order[0]], sides.Length[sides.Order[2]],
+    sides.Length[0] + sides.Length[1] + sides.Length[2] };
 }
 
-const AngleRange& ElementGeometry::GetAngles()
+/** The smallest angle of a triangle is opposite to its shortest side, and so on. */
+void ElementGeometry::ComputeAngles()
 {
-  if (this->Want(NeedsAngles))
+  if (!this->IsTriangle())
   {
     this->Angles = MeasureAngles(this->Vertices);
+    return;
   }
-  return this->Angles;
+  const TriangleSides& sides = this->GetSides();
+  const double cross = 2.0 * this->GetArea();
+  const auto Angle = [&](int vertex)
+  {
+    const int next = After[vertex];
+    return std::atan2(cross, -Dot(sides.Vector[next], sides.Vector[After[next]]));
+  };
+  this->Angles = { Angle(sides.Order[0]), Angle(sides.Order[2]) };
 }
 
 void ElementGeometry::ComputeDistances()
 {
-  if (!this->Want(NeedsDistances))
+  if (this->IsTriangle())
   {
+    const TriangleSides& sides = this->GetSides();
+    this->Farthest.Distance = sides.Length[sides.Order[2]];
+    this->ClosestPairDistance = sides.Length[sides.Order[0]];
     return;
   }
-  this->Farthest = FarthestPair(this->Vertices);
-  this->ClosestPairDistance =
-    this->IsTriangle() ? this->GetEdges().Shortest : ClosestPair(this->Vertices).Distance;
+  const DistanceRange distances = MeasureDistances(this->Vertices);
+  this->Farthest = distances.Farthest;
+  this->ClosestPairDistance = distances.Least;
 }
 
-double ElementGeometry::GetDiameter()
+/** Of a triangle, half the longest side unless all angles are acute, else abc / 4A. */
+void ElementGeometry::ComputeEnclosingRadius()
 {
-  this->ComputeDistances();
-  return this->Farthest.Distance;
-}
-
-double ElementGeometry::GetClosestPairDistance()
-{
-  this->ComputeDistances();
-  return this->ClosestPairDistance;
-}
-
-/** Half the longest edge unless all angles are acute, else abc / 4A. */
-double ElementGeometry::ComputeTriangleEnclosingRadius()
-{
-  double squares[3];
-  for (std::size_t i = 0; i < 3; ++i)
+  if (!this->IsTriangle())
   {
-    const Point2& a = this->Vertices[i];
-    const Point2& b = this->Vertices[(i + 1) % 3];
-    squares[i] = (b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y);
+    this->GetDiameter(); // and which vertices it connects
+    this->EnclosingRadius = SmallestEnclosingCircle(this->Vertices, this->Farthest).Radius;
+    return;
   }
-  std::sort(std::begin(squares), std::end(squares));
-  const double half = 0.5 * std::sqrt(squares[2]);
-  if (squares[2] >= squares[0] + squares[1])
-  {
-    return half;
-  }
-  const double product = std::sqrt(squares[0]) * std::sqrt(squares[1]) * half;
-  return product / (2.0 * this->GetArea());
+  const TriangleSides& sides = this->GetSides();
+  const auto [shortest, middle, longest] = sides.Order;
+  const bool isAcute = sides.Square[longest] < sides.Square[shortest] + sides.Square[middle];
+  const double half = 0.5 * sides.Length[longest];
+  this->EnclosingRadius =
+    isAcute ? sides.Length[shortest] * sides.Length[middle] * half / (2.0 * this->GetArea()) : half;
 }
 
-double ElementGeometry::GetEnclosingRadius()
+void ElementGeometry::ComputeInscribedRadius()
 {
-  if (this->Want(NeedsEnclosingCircle))
-  {
-    if (this->IsTriangle())
-    {
-      this->EnclosingRadius = this->ComputeTriangleEnclosingRadius();
-    }
-    else
-    {
-      this->ComputeDistances();
-      this->EnclosingRadius = SmallestEnclosingCircle(this->Vertices, this->Farthest).Radius;
-    }
-  }
-  return this->EnclosingRadius;
+  this->InscribedRadius = this->IsTriangle()
+    ? 2.0 * this->GetArea() / this->GetEdges().Perimeter
+    : this->CircleFinder.Find(this->Vertices, this->Convex).Radius;
 }
 
-double ElementGeometry::GetInscribedRadius()
+void ElementGeometry::ComputeKernelArea()
 {
-  if (this->Want(NeedsInscribedCircle))
-  {
-    this->InscribedRadius = this->IsTriangle()
-      ? 2.0 * this->GetArea() / this->GetEdges().Perimeter
-      : this->CircleFinder.Find(this->Vertices, this->Convex).Radius;
-  }
-  return this->InscribedRadius;
+  // The kernel of a convex element is the element, and the ratio has to be one exactly.
+  this->KernelArea = this->Convex
+    ? this->GetArea()
+    : std::clamp(SignedArea(this->KernelClipper.Clip(this->Vertices)), 0.0, this->GetArea());
 }
 
-double ElementGeometry::GetKernelArea()
+void ElementGeometry::ComputeKernelRadius()
 {
-  if (this->Want(NeedsKernelArea))
-  {
-    // The kernel of a convex element is the element, and the ratio has to be one exactly.
-    this->KernelArea = this->Convex
-      ? this->GetArea()
-      : std::clamp(SignedArea(this->KernelClipper.Clip(this->Vertices)), 0.0, this->GetArea());
-  }
-  return this->KernelArea;
+  this->KernelRadius = this->Convex ? this->GetInscribedRadius()
+                                    : this->CircleFinder.FindInKernel(this->Vertices).Radius;
 }
 
-double ElementGeometry::GetKernelRadius()
+/** All corners of a triangle have the same cross product, so that the largest edges decide. */
+void ElementGeometry::ComputeCorners()
 {
-  if (this->Want(NeedsKernelRadius))
-  {
-    this->KernelRadius = this->Convex ? this->GetInscribedRadius()
-                                      : this->CircleFinder.FindInKernel(this->Vertices).Radius;
-  }
-  return this->KernelRadius;
-}
-
-const CornerShapes& ElementGeometry::GetCorners()
-{
-  if (this->Want(NeedsCorners))
+  if (!this->IsTriangle())
   {
     this->Corners = MeasureCorners(this->Vertices);
+    return;
   }
-  return this->Corners;
+  const TriangleSides& sides = this->GetSides();
+  const auto [shortest, middle, longest] = sides.Order;
+  const double cross = 2.0 * this->GetArea();
+  this->Corners = { std::min(1.0, cross / (sides.Length[middle] * sides.Length[longest])),
+    std::min(1.0, 2.0 * cross / (sides.Square[middle] + sides.Square[longest])) };
 }
 
-double ElementGeometry::GetSideRatio()
+void ElementGeometry::ComputeSideRatio()
 {
-  if (this->Want(NeedsSides))
-  {
-    this->SideRatio = SmallestSideRatio(this->Vertices, StraightTolerance * this->GetDiameter());
-  }
-  return this->SideRatio;
+  this->SideRatio = SmallestSideRatio(this->Vertices, StraightTolerance * this->GetDiameter());
 }
 
-double ElementGeometry::GetBoxArea()
+void ElementGeometry::ComputeBoxArea()
 {
-  if (this->Want(NeedsBox))
+  Point2 low = this->Vertices.front();
+  Point2 high = low;
+  for (const Point2& vertex : this->Vertices)
   {
-    Point2 low = this->Vertices.front();
-    Point2 high = low;
-    for (const Point2& vertex : this->Vertices)
-    {
-      low = { std::min(low.x, vertex.x), std::min(low.y, vertex.y) };
-      high = { std::max(high.x, vertex.x), std::max(high.y, vertex.y) };
-    }
-    this->BoxArea = (high.x - low.x) * (high.y - low.y);
+    low = { std::min(low.x, vertex.x), std::min(low.y, vertex.y) };
+    high = { std::max(high.x, vertex.x), std::max(high.y, vertex.y) };
   }
-  return this->BoxArea;
+  this->BoxArea = (high.x - low.x) * (high.y - low.y);
 }
 
-const StiffnessMeasures& ElementGeometry::GetStiffness()
+void ElementGeometry::ComputeStiffness()
 {
-  if (this->Want(NeedsStiffness))
-  {
-    this->Stiffness = MeasureStiffness(this->Vertices);
-  }
-  return this->Stiffness;
+  this->Stiffness = MeasureStiffness(this->Vertices);
 }
 
 } // namespace pemesh

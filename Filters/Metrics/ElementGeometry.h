@@ -11,6 +11,7 @@
 
 #include "CornerMeasures.h"
 #include "InscribedCircle.h"
+#include "MetricRegistry.h"
 #include "PointDistances.h"
 #include "PolygonKernel.h"
 #include "PolygonMeasures.h"
@@ -42,34 +43,108 @@ public:
   unsigned int GetComputed() const { return this->Computed; }
 
   bool IsConvex() const { return this->Convex; }
-  double GetArea();
-  const EdgeLengths& GetEdges();
-  const AngleRange& GetAngles();
+  double GetArea() { return this->Get(NeedsArea, this->Area, &ElementGeometry::ComputeArea); }
+  const EdgeLengths& GetEdges()
+  {
+    return this->Get(NeedsEdges, this->Edges, &ElementGeometry::ComputeEdges);
+  }
+  const AngleRange& GetAngles()
+  {
+    return this->Get(NeedsAngles, this->Angles, &ElementGeometry::ComputeAngles);
+  }
   /** Largest and least distance of two vertices. */
-  double GetDiameter();
-  double GetClosestPairDistance();
-  double GetEnclosingRadius();
-  double GetInscribedRadius();
+  double GetDiameter()
+  {
+    return this->Get(NeedsDistances, this->Farthest.Distance, &ElementGeometry::ComputeDistances);
+  }
+  double GetClosestPairDistance()
+  {
+    return this->Get(NeedsDistances, this->ClosestPairDistance, &ElementGeometry::ComputeDistances);
+  }
+  double GetEnclosingRadius()
+  {
+    return this->Get(
+      NeedsEnclosingCircle, this->EnclosingRadius, &ElementGeometry::ComputeEnclosingRadius);
+  }
+  double GetInscribedRadius()
+  {
+    return this->Get(
+      NeedsInscribedCircle, this->InscribedRadius, &ElementGeometry::ComputeInscribedRadius);
+  }
   /** 0 where the element is not star-shaped. */
-  double GetKernelArea();
-  double GetKernelRadius();
-  const CornerShapes& GetCorners();
+  double GetKernelArea()
+  {
+    return this->Get(NeedsKernelArea, this->KernelArea, &ElementGeometry::ComputeKernelArea);
+  }
+  double GetKernelRadius()
+  {
+    return this->Get(NeedsKernelRadius, this->KernelRadius, &ElementGeometry::ComputeKernelRadius);
+  }
+  const CornerShapes& GetCorners()
+  {
+    return this->Get(NeedsCorners, this->Corners, &ElementGeometry::ComputeCorners);
+  }
   /** See SmallestSideRatio. */
-  double GetSideRatio();
+  double GetSideRatio()
+  {
+    return this->Get(NeedsSides, this->SideRatio, &ElementGeometry::ComputeSideRatio);
+  }
   /** Area of the axis-parallel bounding box. */
-  double GetBoxArea();
-  const StiffnessMeasures& GetStiffness();
+  double GetBoxArea()
+  {
+    return this->Get(NeedsBox, this->BoxArea, &ElementGeometry::ComputeBoxArea);
+  }
+  const StiffnessMeasures& GetStiffness()
+  {
+    return this->Get(NeedsStiffness, this->Stiffness, &ElementGeometry::ComputeStiffness);
+  }
 
 private:
+  struct TriangleSides // side i is opposite to vertex i, and sides[Order[0]] the shortest
+  {
+    Point2 Vector[3];
+    double Square[3];
+    double Length[3];
+    int Order[3];
+  };
+
   bool IsTriangle() const { return this->Vertices.size() == 3; }
-  bool Want(unsigned int need);
+
+  /** A value, computed the first time. */
+  template <typename Value>
+  const Value& Get(unsigned int need, const Value& value, void (ElementGeometry::*compute)())
+  {
+    if ((this->Computed & need) == 0)
+    {
+      this->Computed |= need;
+      (this->*compute)();
+    }
+    return value;
+  }
+
+  const TriangleSides& GetSides();
+  bool SetTriangle(PolygonView vertices);
+  bool SetPolygon(PolygonView vertices);
+
+  void ComputeArea();
+  void ComputeEdges();
+  void ComputeAngles();
   void ComputeDistances();
-  double ComputeTriangleEnclosingRadius();
+  void ComputeEnclosingRadius();
+  void ComputeInscribedRadius();
+  void ComputeKernelArea();
+  void ComputeKernelRadius();
+  void ComputeCorners();
+  void ComputeSideRatio();
+  void ComputeBoxArea();
+  void ComputeStiffness();
 
   std::vector<Point2> Vertices;
   bool Repeated = false;
   bool Convex = false;
   unsigned int Computed = 0;
+  bool HasSides = false;
+  TriangleSides Sides;
 
   double Area = 0.0;
   EdgeLengths Edges;

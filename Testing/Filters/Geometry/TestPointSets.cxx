@@ -32,6 +32,11 @@ TEST(PointDistances, AgreeWithAllPairs)
     }
     EXPECT_NEAR(Diameter(polygon), largest, 1e-15 * largest) << seed;
     EXPECT_NEAR(ClosestPair(polygon).Distance, least, 1e-15 * largest) << seed;
+    const DistanceRange both = MeasureDistances(polygon);
+    EXPECT_EQ(both.Farthest.Distance, Diameter(polygon)) << seed;
+    EXPECT_EQ(both.Farthest.First, FarthestPair(polygon).First) << seed;
+    EXPECT_EQ(both.Farthest.Second, FarthestPair(polygon).Second) << seed;
+    EXPECT_EQ(both.Least, ClosestPair(polygon).Distance) << seed;
   }
 }
 
@@ -51,6 +56,15 @@ TEST(PointDistances, LargeSetsWithTiesAndRepeats)
   EXPECT_EQ(Diameter(line), 99.0);
   EXPECT_EQ(ClosestPair(line).Distance, 1.0);
   EXPECT_EQ(Diameter(Polygon(100, { 3.0, 4.0 })), 0.0);
+  for (const std::size_t size : { 2, 3, 48, 49 })
+  {
+    const Polygon repeated(size, { 3.0, 4.0 });
+    EXPECT_EQ(MeasureDistances(repeated).Farthest.Distance, 0.0) << size;
+    EXPECT_EQ(MeasureDistances(repeated).Least, 0.0) << size;
+    const DistanceRange part = MeasureDistances(PolygonView(line).first(size));
+    EXPECT_EQ(part.Farthest.Distance, static_cast<double>(size - 1)) << size;
+    EXPECT_EQ(part.Least, 1.0) << size;
+  }
 }
 
 TEST(EnclosingCircle, AgreesWithAllPairsAndTriples)

@@ -167,7 +167,7 @@ TEST(MetricRegistry, TrianglesAgreeWithTheGeneralKernels)
     Polygon triangle;
     for (int k = 0; k < 3; ++k)
     {
-      triangle.push_back({ random.Uniform(), random.Uniform() });
+      triangle.push_back({ random.Uniform(), (i % 3 == 0 ? 1e-6 : 1.0) * random.Uniform() });
     }
     const std::map<std::string, double> v = Measure(triangle);
     if (PolygonOrientation(triangle) < 0)
@@ -178,6 +178,15 @@ TEST(MetricRegistry, TrianglesAgreeWithTheGeneralKernels)
     EXPECT_NEAR(v.at("InscribedRadius"), BruteKernelRadius(triangle), 1e-14);
     EXPECT_NEAR(v.at("Area"), ExactArea(triangle), 1e-15);
     EXPECT_EQ(v.at("KernelAreaRatio"), 1.0);
+    const BruteMeasures brute = BruteMeasure(triangle);
+    EXPECT_NEAR(v.at("MinAngle"), brute.SmallestAngle, 1e-13);
+    EXPECT_NEAR(v.at("MaxAngle"), brute.LargestAngle, 1e-13);
+    EXPECT_NEAR(v.at("Diameter"), brute.Diameter, 1e-15);
+    EXPECT_NEAR(v.at("MinPointDistance"), brute.ClosestPair, 1e-15);
+    EXPECT_NEAR(v.at("ShortestEdge"), brute.ClosestPair, 1e-15);
+    EXPECT_NEAR(v.at("EdgeRatio"), brute.ClosestPair / brute.Diameter, 1e-15);
+    EXPECT_NEAR(v.at("ScaledJacobian"), MeasureCorners(triangle).SmallestSine, 1e-13);
+    EXPECT_NEAR(v.at("FrobeniusRatio"), MeasureCorners(triangle).SmallestFrobeniusRatio, 1e-13);
     // A straight vertex changes the element to a quadrilateral, but not its shape.
     Polygon split = triangle;
     split.push_back(
