@@ -210,6 +210,15 @@ TEST(StudyFile, FormattingWritesEveryDefault)
   },
   "metrics": "all",
   "solvers": [],
+  "statistics": {
+    "coefficient": "spearman",
+    "given": [],
+    "independent": false,
+    "permutations": 999,
+    "bootstrap": 0,
+    "level": 0.95,
+    "seed": 1
+  },
   "plots": [],
   "output": {"formats": ["vtp"]}
 }
