@@ -37,6 +37,7 @@ struct CorrelateArguments
   std::vector<std::string> Tables;
   std::string Output;
   std::string Findings;
+  std::string Pooled;
   std::string Join;
   std::vector<std::string> X;
   std::vector<std::string> Y;
@@ -113,6 +114,10 @@ int Correlate(const CorrelateArguments& arguments)
         throw std::runtime_error(reason);
       }
     }
+  }
+  if (!arguments.Pooled.empty())
+  {
+    WriteCsvFile(arguments.Pooled, table);
   }
   if (!arguments.Findings.empty())
   {
@@ -204,6 +209,8 @@ void AddCorrelateCommand(CLI::App& program, int& exitCode)
     "Table of pairs to write (.csv); without it the table goes to standard output, and the "
     "sentences to standard error");
   command->add_option("--findings", arguments->Findings, "Table of ranked metrics to write (.csv)");
+  command->add_option("--pooled", arguments->Pooled,
+    "Table of all rows to write (.csv), for \"pemesh plot --color-by Study\"");
   command->callback([arguments, &exitCode] { exitCode = Correlate(*arguments); });
 }
 

@@ -124,11 +124,13 @@ Html ScatterOf(const ReportContents& contents, const FigureFolder& folder, const
 {
   StudyPlot plot = PlotOf("scatter", x, y);
   plot.Log = LogAxes(contents, x, y);
-  const std::string abscissa = contents.Abscissa();
-  plot.ColorBy = abscissa == x ? "" : abscissa;
+  const std::string color = contents.ColorColumn();
+  plot.ColorBy = color == x ? "" : color;
   const std::string titles = contents.Labels.Title(y) + " against " + contents.Labels.Title(x);
-  return EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
-    "Scatter chart: " + titles + ". " + words, titles + ": " + words);
+  const auto chart = MakeResultChart(plot, contents.Results, contents.Labels);
+  chart->ShowLegendOn(); // of the classes, where the colours are classes
+  return EmbedPanel(
+    folder, chart, "Scatter chart: " + titles + ". " + words, titles + ": " + words);
 }
 
 /** The ranked list of one performance, whose rows of the findings begin at `row`. */

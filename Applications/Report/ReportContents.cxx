@@ -131,6 +131,12 @@ std::string ReportContents::Abscissa() const
   return "Index";
 }
 
+std::string ReportContents::ColorColumn() const
+{
+  const std::string& family = this->TheStudy.Statistics.Family;
+  return this->Results->GetColumnByName(family.c_str()) ? family : this->Abscissa();
+}
+
 std::vector<std::string> ReportContents::Performances() const
 {
   return PerformanceColumns(this->Results);

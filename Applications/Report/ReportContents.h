@@ -46,6 +46,8 @@ struct ReportContents
 
   /** The column that the meshes vary by, for abscissae. */
   std::string Abscissa() const;
+  /** The column that colours points: the families, where the study tells them apart. */
+  std::string ColorColumn() const;
   std::vector<std::string> Performances() const;
   /** Whether the description of a solver says so. */
   bool IsLogarithmic(const std::string& performance) const;

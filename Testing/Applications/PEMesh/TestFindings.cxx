@@ -85,6 +85,23 @@ TEST(Findings, OfSeveralStudiesAreSentencesAndATable)
   EXPECT_EQ(first, FileText(folder / "pairs.csv")) << "the same seed, the same bytes";
 }
 
+TEST(Findings, OfPooledStudiesCanBePlottedByStudy)
+{
+  const fs::path folder = FreshFolder("pooled");
+  const auto run = RunProgram("pemesh",
+    Arguments(
+      WriteFamilies(folder), { "-o", folder / "pairs.csv", "--pooled", folder / "all.csv" }));
+  ASSERT_EQ(run.ExitCode, 0) << run.Errors;
+  const auto all = pemesh::ReadCsvFile(folder / "all.csv");
+  EXPECT_EQ(all->GetNumberOfRows(), 20);
+  EXPECT_STREQ(all->GetColumnName(0), "Study");
+  EXPECT_EQ(all->GetValueByName(19, "Study").ToString(), "family3");
+  const auto plot = RunProgram("pemesh",
+    { "plot", folder / "all.csv", "--x", "Area_min", "--y", "run_error", "--log", "xy",
+      "--color-by", "Study", "-o", folder / "all.png" });
+  EXPECT_EQ(plot.ExitCode, 0) << plot.Errors;
+}
+
 TEST(Findings, OfOneFamilyHaveNoPValues)
 {
   const fs::path folder = FreshFolder("one-family");
