@@ -8,6 +8,8 @@
 #ifndef pemesh_Commands_h
 #define pemesh_Commands_h
 
+#include <string>
+
 namespace CLI
 {
 class App;
@@ -25,8 +27,17 @@ void AddMetricsCommand(CLI::App& program, int& exitCode);
 /** render: mesh files, side by side. */
 void AddRenderCommand(CLI::App& program, int& exitCode);
 
-/** correlate, plot: what is done with a table. */
+/** correlate: tables of results, one or several. */
+void AddCorrelateCommand(CLI::App& program, int& exitCode);
+
+/** plot: figures of a table. */
 void AddTableCommands(CLI::App& program, int& exitCode);
+
+/** report: the results of a study on one page. */
+void AddReportCommand(CLI::App& program, int& exitCode);
+
+/** Writes that page of a folder and says where it is. An exit code. */
+int WriteReport(const std::string& folder, const std::string& file);
 
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);

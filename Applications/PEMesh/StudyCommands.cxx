@@ -10,6 +10,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -32,6 +33,7 @@ struct StudyArguments
   int Workers = 0;
   std::vector<std::string> Settings;
   std::vector<std::string> Formats;
+  bool Report = false;
 };
 
 struct SolveArguments
@@ -112,6 +114,8 @@ void AddRun(CLI::App& program, int& exitCode)
     ->type_name("PATH=VALUE")
     ->expected(1)
     ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command->add_flag(
+    "--report", arguments->Report, "Put all of it on one page too: report.html in that folder");
   command->callback(
     [arguments, &exitCode]
     {
@@ -124,6 +128,10 @@ void AddRun(CLI::App& program, int& exitCode)
         runner->AddSetting(setting);
       }
       exitCode = RunToEnd(runner, "run");
+      if (arguments->Report && exitCode != WrongUsage)
+      {
+        exitCode = std::max(exitCode, WriteReport(runner->GetOutputDirectory(), ""));
+      }
     });
 }
 

@@ -1,18 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * correlate and plot: what is done with a table of results.
+ * plot: figures of a table of results.
  */
 #include "ColumnLabels.h"
 #include "Commands.h"
 #include "CsvTable.h"
-#include "NumberText.h"
 #include "ResultPanels.h"
 #include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "Terminal.h"
 #include "vtkPEMChart.h"
-#include "vtkPEMCorrelation.h"
 #include "vtkPEMFigure.h"
 
 #include <CLI/CLI.hpp>
@@ -21,7 +19,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include <vtkDataArray.h>
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
@@ -31,15 +28,6 @@ namespace pemesh
 
 namespace
 {
-
-struct CorrelateArguments
-{
-  std::string Table;
-  std::string Output;
-  std::vector<std::string> X;
-  std::vector<std::string> Y;
-  bool Independent = false;
-};
 
 struct PlotArguments
 {
@@ -53,49 +41,6 @@ struct PlotArguments
   std::string Title;
   double Width = 10.0;
 };
-
-void CheckNumericColumns(vtkTable* table, const std::vector<std::string>& names)
-{
-  for (const std::string& name : names)
-  {
-    if (vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str())))
-    {
-      continue;
-    }
-    std::vector<std::string> known;
-    for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-    {
-      if (vtkDataArray::SafeDownCast(table->GetColumn(i)))
-      {
-        known.emplace_back(table->GetColumnName(i));
-      }
-    }
-    throw std::runtime_error("The table has no column \"" + name +
-      "\" of numbers; the nearest is \"" + NearestWord(name, known) + "\".");
-  }
-}
-
-int Correlate(const CorrelateArguments& arguments)
-{
-  const vtkSmartPointer<vtkTable> table = ReadCsvFile(arguments.Table);
-  CheckNumericColumns(table, arguments.X);
-  CheckNumericColumns(table, arguments.Y);
-  vtkNew<vtkPEMCorrelation> correlation;
-  correlation->SetInputData(table);
-  correlation->SetXColumns(arguments.X);
-  correlation->SetYColumns(arguments.Y);
-  correlation->SetIndependentRows(arguments.Independent);
-  correlation->Update();
-  if (arguments.Output.empty())
-  {
-    std::cout << FormatCsv(correlation->GetOutput());
-  }
-  else
-  {
-    WriteCsvFile(arguments.Output, correlation->GetOutput());
-  }
-  return AllDone;
-}
 
 /** A table alone does not say which runs it holds: those named like a known solver are labelled. */
 ColumnLabels LabelsOfKnownSolvers()
@@ -145,21 +90,6 @@ int Plot(const PlotArguments& arguments)
 
 void AddTableCommands(CLI::App& program, int& exitCode)
 {
-  auto pairs = std::make_shared<CorrelateArguments>();
-  CLI::App* correlate =
-    program.add_subcommand("correlate", "Correlate the columns of a table of results");
-  correlate->add_option("TABLE", pairs->Table, "Table (.csv), one row a mesh")->required();
-  correlate->add_option(
-    "-o,--output", pairs->Output, "Table to write (.csv; default: standard output)");
-  correlate->add_option("--x", pairs->X, "Columns, with commas (default: all metrics)")
-    ->delimiter(',');
-  correlate
-    ->add_option("--y", pairs->Y, "Columns, with commas (default: all metrics and performances)")
-    ->delimiter(',');
-  correlate->add_flag(
-    "--independent", pairs->Independent, "The meshes do not come from one family: give p-values");
-  correlate->callback([pairs, &exitCode] { exitCode = Correlate(*pairs); });
-
   auto figure = std::make_shared<PlotArguments>();
   CLI::App* plot = program.add_subcommand("plot", "Plot columns of a table of results");
   plot->add_option("TABLE", figure->Table, "Table (.csv), one row a mesh")->required();

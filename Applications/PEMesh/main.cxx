@@ -27,7 +27,9 @@ int RunProgram(int argc, char** argv)
   pemesh::AddMetricsCommand(program, exitCode);
   pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddCheckCommand(program, exitCode);
+  pemesh::AddCorrelateCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
+  pemesh::AddReportCommand(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 
   pemesh::InstallMessageHandler();

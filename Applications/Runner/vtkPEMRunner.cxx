@@ -12,10 +12,10 @@
 #include "StudyCases.h"
 #include "StudyFigures.h"
 #include "StudyFile.h"
+#include "StudyFindings.h"
 #include "StudyPipeline.h"
 #include "StudyResults.h"
 #include "TextFile.h"
-#include "vtkPEMCorrelation.h"
 
 #include <algorithm>
 #include <atomic>
@@ -291,11 +291,15 @@ void vtkPEMRunner::Internals::RunCases()
 
 void vtkPEMRunner::Internals::Correlate()
 {
-  vtkNew<vtkPEMCorrelation> correlation;
-  correlation->SetInputData(this->Results->GetResults());
-  correlation->Update();
-  this->Correlation = correlation->GetOutput();
-  pemesh::WriteCsvFile(this->Output / "correlation.csv", this->Correlation);
+  try
+  {
+    this->Correlation =
+      pemesh::WriteFindings(this->Study.Statistics, this->Results->GetResults(), this->Output);
+  }
+  catch (const std::exception& error)
+  {
+    this->Messages.emplace_back(error.what());
+  }
 }
 
 void vtkPEMRunner::Internals::SaveResults()

@@ -12,6 +12,8 @@
  *   results.csv      one row a case, the same to the byte on every run
  *   timings.csv      what depends on the machine, one row a case
  *   correlation.csv  every metric against every other and every performance
+ *   findings.csv     for each performance the metrics that go with it, best first
+ *   findings.txt     the same in sentences
  *   failures.csv     what went wrong, one row a failure; only where something did
  *   index.csv        the name and the parameters of every case
  *   study.json       the study with every default written out

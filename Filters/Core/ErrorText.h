@@ -10,6 +10,8 @@
 
 #include <string>
 
+class vtkAlgorithm;
+
 namespace pemesh
 {
 
@@ -18,6 +20,9 @@ namespace pemesh
  * next line, "<class> (<address>): <sentence>". Another text is kept; line ends become blanks.
  */
 PEMESHFILTERSCORE_EXPORT std::string SentenceOfError(const char* text);
+
+/** Updates the algorithm, printing nothing: the sentence of its first error, or "". */
+PEMESHFILTERSCORE_EXPORT std::string UpdateExplaining(vtkAlgorithm* algorithm);
 
 } // namespace pemesh
 

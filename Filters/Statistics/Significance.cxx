@@ -12,7 +12,6 @@
 #include <limits>
 #include <map>
 #include <mutex>
-#include <random>
 #include <vector>
 
 namespace pemesh
@@ -193,25 +192,6 @@ double ExactByArrangements(std::span<const double> y, Score score)
   return hits / all;
 }
 
-template <typename Score>
-double SampleArrangements(std::span<const double> y, const PermutationOptions& options, Score score)
-{
-  std::mt19937_64 bits(options.Seed);
-  const double observed = std::fabs(score(y));
-  std::vector<double> arrangement(y.begin(), y.end());
-  double hits = 1.0;
-  for (int draw = 0; draw < options.Permutations; ++draw)
-  {
-    for (std::size_t i = arrangement.size() - 1; i > 0; --i)
-    {
-      // Not std::shuffle, whose result depends on the library. The bias is below n / 2^64.
-      std::swap(arrangement[i], arrangement[bits() % (i + 1)]);
-    }
-    hits += std::fabs(score(arrangement)) >= observed ? 1.0 : 0.0;
-  }
-  return hits / (1.0 + options.Permutations);
-}
-
 /** The normal approximation of the score, its variance corrected for ties (Kendall 1970). */
 double NormalKendall(std::span<const double> x, std::span<const double> y)
 {
@@ -246,18 +226,13 @@ double NormalKendall(std::span<const double> x, std::span<const double> y)
   return 2.0 * boost::math::cdf(boost::math::complement(boost::math::normal(), z));
 }
 
-/** With ties or many pairs: all arrangements, some of them, or the limit, whichever is in reach. */
+/** With ties or many pairs: all arrangements, or the limit where these are out of reach. */
 template <typename Score, typename Limit>
-PValue PValueByArrangements(
-  std::span<const double> y, const PermutationOptions& options, Score score, Limit limit)
+PValue PValueByArrangements(std::span<const double> y, Score score, Limit limit)
 {
   if (y.size() <= LargestExactWithTies)
   {
     return { ExactByArrangements(y, score), PValueMethod::Exact };
-  }
-  if (options.Permutations > 0)
-  {
-    return { SampleArrangements(y, options, score), PValueMethod::Permutation };
   }
   return { limit(), PValueMethod::Asymptotic };
 }
@@ -270,8 +245,6 @@ const char* PValueMethodName(PValueMethod method)
   {
     case PValueMethod::Exact:
       return "exact";
-    case PValueMethod::Permutation:
-      return "permutation";
     case PValueMethod::Asymptotic:
       return "asymptotic";
     default:
@@ -284,8 +257,7 @@ PValue PearsonPValue(std::span<const double> x, std::span<const double> y)
   return HasPValue(x, y) ? StudentPValue(PearsonCorrelation(x, y), x.size()) : UndefinedPValue;
 }
 
-PValue SpearmanPValue(
-  std::span<const double> x, std::span<const double> y, const PermutationOptions& options)
+PValue SpearmanPValue(std::span<const double> x, std::span<const double> y)
 {
   if (!HasPValue(x, y))
   {
@@ -306,12 +278,11 @@ PValue SpearmanPValue(
   {
     return { ExactSpearman(x.size(), score(ranksY)), PValueMethod::Exact };
   }
-  return PValueByArrangements(ranksY, options, score,
-    [&] { return StudentPValue(SpearmanCorrelation(x, y), x.size()).Value; });
+  return PValueByArrangements(
+    ranksY, score, [&] { return StudentPValue(SpearmanCorrelation(x, y), x.size()).Value; });
 }
 
-PValue KendallPValue(
-  std::span<const double> x, std::span<const double> y, const PermutationOptions& options)
+PValue KendallPValue(std::span<const double> x, std::span<const double> y)
 {
   if (!HasPValue(x, y))
   {
@@ -323,7 +294,7 @@ PValue KendallPValue(
   }
   const auto score = [&](std::span<const double> arrangement)
   { return static_cast<double>(CountKendallPairs(x, arrangement).Score()); };
-  return PValueByArrangements(y, options, score, [&] { return NormalKendall(x, y); });
+  return PValueByArrangements(y, score, [&] { return NormalKendall(x, y); });
 }
 
 } // namespace pemesh

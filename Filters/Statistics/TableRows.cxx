@@ -3,6 +3,7 @@
 #include "TableRows.h"
 
 #include "CaseStatus.h"
+#include "ColumnRoles.h"
 #include "NumberText.h"
 
 #include <vtkDataSetAttributes.h>
@@ -191,7 +192,7 @@ std::vector<Column> UnitedColumns(const std::vector<Column>& old, vtkIdType oldR
 
 void UniteLists(vtkTable* table, vtkTable* rows)
 {
-  for (const char* list : { ParametersList, MeasuredList })
+  for (const char* list : { ParametersList, MeasuredList, PerformancesList })
   {
     auto* names = vtkStringArray::SafeDownCast(rows->GetFieldData()->GetAbstractArray(list));
     for (vtkIdType i = 0; names && i < names->GetNumberOfValues(); ++i)

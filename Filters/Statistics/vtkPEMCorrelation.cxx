@@ -3,13 +3,13 @@
 #include "vtkPEMCorrelation.h"
 
 #include "CaseStatus.h"
-#include "Correlation.h"
+#include "CoefficientKinds.h"
+#include "ColumnRoles.h"
 #include "NumberText.h"
+#include "PairCorrelation.h"
 #include "Progress.h"
-#include "Significance.h"
-#include "SummaryTitles.h"
+#include "RelationWords.h"
 
-#include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
 #include <vtkIdTypeArray.h>
 #include <vtkInformation.h>
@@ -20,8 +20,6 @@
 #include <vtkTable.h>
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -32,92 +30,11 @@ namespace
 {
 
 using Names = std::vector<std::string>;
+using NamePairs = std::vector<std::pair<std::string, std::string>>;
 
-constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr const char* FamilyNote =
-  "no p-values: the rows belong to one family and are not independent, so only the trend counts";
-
-/** What a pair of columns gives. */
-struct Result
+NamePairs MakePairs(const Names& x, const Names& y)
 {
-  vtkIdType Count = 0;
-  double Pearson = Undefined;
-  double Spearman = Undefined;
-  double Kendall = Undefined;
-  double PearsonP = Undefined;
-  double SpearmanP = Undefined;
-  double KendallP = Undefined;
-  std::string Trend = "undefined";
-  std::string Note = FamilyNote;
-};
-
-struct Options
-{
-  bool IndependentRows;
-  pemesh::PermutationOptions Permutations;
-  double TrendThreshold;
-};
-
-bool IsMetric(const std::string& name)
-{
-  std::string base = name;
-  for (const char* subset : { "_placed", "_filler", "_polygons", "_triangles" })
-  {
-    if (base.ends_with(subset))
-    {
-      base.resize(base.size() - std::string(subset).size());
-      break;
-    }
-  }
-  return base.ends_with("_min") || base.ends_with("_max") || base.ends_with("_mean") ||
-    pemesh::IsStatisticOfMetric(name);
-}
-
-/** <run>_<performance>, both not empty, and no id of an extreme element. */
-bool IsPerformance(const std::string& name)
-{
-  const std::size_t underscore = name.find('_');
-  return underscore != std::string::npos && underscore > 0 && underscore + 1 < name.size() &&
-    name.find("_element") == std::string::npos && !IsMetric(name) && !pemesh::IsOfSummary(name);
-}
-
-Names NumericColumns(vtkTable* table)
-{
-  Names names;
-  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-  {
-    if (vtkDataArray::SafeDownCast(table->GetColumn(i)) && table->GetColumnName(i))
-    {
-      names.emplace_back(table->GetColumnName(i));
-    }
-  }
-  return names;
-}
-
-/** The metrics of a table, followed by its performances if asked for. */
-Names DefaultColumns(vtkTable* table, bool withPerformances)
-{
-  Names metrics;
-  Names performances;
-  for (const std::string& name : NumericColumns(table))
-  {
-    if (IsMetric(name))
-    {
-      metrics.push_back(name);
-    }
-    else if (withPerformances && IsPerformance(name) &&
-      !pemesh::IsInFieldList(table, pemesh::MeasuredList, name))
-    {
-      performances.push_back(name);
-    }
-  }
-  metrics.insert(metrics.end(), performances.begin(), performances.end());
-  return metrics;
-}
-
-std::vector<std::pair<std::string, std::string>> MakePairs(const Names& x, const Names& y)
-{
-  std::vector<std::pair<std::string, std::string>> pairs;
+  NamePairs pairs;
   std::set<std::pair<std::string, std::string>> seen;
   for (const std::string& nameX : x)
   {
@@ -132,70 +49,52 @@ std::vector<std::pair<std::string, std::string>> MakePairs(const Names& x, const
   return pairs;
 }
 
-std::vector<double> ColumnValues(vtkTable* table, const std::string& name)
+/** The columns that take part, each once. */
+pemesh::PairsOfColumns GatherColumns(vtkTable* table, const NamePairs& pairs, const Names& given)
 {
-  auto* column = vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str()));
-  std::vector<double> values(static_cast<std::size_t>(column->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i)
+  pemesh::PairsOfColumns gathered;
+  std::map<std::string, std::size_t> known;
+  const auto indexOf = [&](const std::string& name)
   {
-    values[i] = column->GetComponent(static_cast<vtkIdType>(i), 0);
+    const auto [place, isNew] = known.emplace(name, gathered.Columns.size());
+    if (isNew)
+    {
+      gathered.Columns.push_back(pemesh::ColumnNumbers(table, name));
+    }
+    return place->second;
+  };
+  for (const auto& [x, y] : pairs)
+  {
+    const std::size_t first = indexOf(x);
+    gathered.Pairs.emplace_back(first, indexOf(y));
   }
-  return values;
+  for (const std::string& name : given)
+  {
+    gathered.Given.push_back(indexOf(name));
+  }
+  return gathered;
 }
 
-std::string TrendOf(const pemesh::KendallCounts& counts, double tau, double threshold)
+const char* NameOf(pemesh::RowsAre rows)
 {
-  const bool isUp = counts.Concordant() > 0 && (counts.Discordant == 0 || tau >= threshold);
-  const bool isDown = counts.Discordant > 0 && (counts.Concordant() == 0 || tau <= -threshold);
-  // Both only for a threshold of zero.
-  return isUp == isDown ? "mixed" : isUp ? "increasing" : "decreasing";
+  return rows == pemesh::RowsAre::Independent ? "independent"
+    : rows == pemesh::RowsAre::Families       ? "families"
+                                              : "one-family";
 }
 
-void AddPValues(const std::vector<double>& x, const std::vector<double>& y,
-  const pemesh::PermutationOptions& options, Result& result)
+std::string JoinNames(const Names& names)
 {
-  const pemesh::PValue pearson = pemesh::PearsonPValue(x, y);
-  const pemesh::PValue spearman = pemesh::SpearmanPValue(x, y, options);
-  const pemesh::PValue kendall = pemesh::KendallPValue(x, y, options);
-  result.PearsonP = pearson.Value;
-  result.SpearmanP = spearman.Value;
-  result.KendallP = kendall.Value;
-  result.Note = "p-values two-sided, for independent rows, not adjusted for the number of pairs";
-  if (spearman.Method != pemesh::PValueMethod::Undefined)
+  std::string text;
+  for (const std::string& name : names)
   {
-    result.Note += std::string("; Pearson: normal samples; Spearman: ") +
-      pemesh::PValueMethodName(spearman.Method) +
-      "; Kendall: " + pemesh::PValueMethodName(kendall.Method);
+    text += (text.empty() ? "" : ", ") + name;
   }
-}
-
-Result Correlate(
-  const std::vector<double>& allX, const std::vector<double>& allY, const Options& options)
-{
-  std::vector<double> x;
-  std::vector<double> y;
-  pemesh::RemoveMissing(allX, allY, x, y);
-  Result result;
-  result.Count = static_cast<vtkIdType>(x.size());
-  result.Pearson = pemesh::PearsonCorrelation(x, y);
-  result.Spearman = pemesh::SpearmanCorrelation(x, y);
-  const pemesh::KendallCounts counts = pemesh::CountKendallPairs(x, y);
-  result.Kendall = pemesh::KendallTauB(counts);
-  if (x.size() >= 3)
-  {
-    result.Trend = pemesh::IsConstant(x) || pemesh::IsConstant(y)
-      ? "constant"
-      : TrendOf(counts, result.Kendall, options.TrendThreshold);
-  }
-  if (options.IndependentRows)
-  {
-    AddPValues(x, y, options.Permutations, result);
-  }
-  return result;
+  return text;
 }
 
 template <typename Array, typename Value>
-void AddColumn(vtkTable* table, const char* name, const std::vector<Result>& results, Value value)
+void AddColumn(vtkTable* table, const char* name,
+  const std::vector<pemesh::PairCorrelation>& results, Value value)
 {
   vtkNew<Array> column;
   column->SetName(name);
@@ -207,21 +106,42 @@ void AddColumn(vtkTable* table, const char* name, const std::vector<Result>& res
   table->AddColumn(column);
 }
 
-void FillTable(vtkTable* table, const std::vector<std::pair<std::string, std::string>>& pairs,
-  const std::vector<Result>& all)
+void FillTable(vtkTable* table, const NamePairs& pairs, const std::string& coefficient,
+  const std::vector<pemesh::PairCorrelation>& all)
 {
   using Text = vtkStringArray;
   using Number = vtkDoubleArray;
+  using Count = vtkIdTypeArray;
+  const auto number = [&](const char* name, auto value)
+  { AddColumn<Number>(table, name, all, [&](std::size_t i) { return value(all[i]); }); };
+  using Result = const pemesh::PairCorrelation&;
   AddColumn<Text>(table, "X", all, [&](std::size_t i) { return pairs[i].first; });
   AddColumn<Text>(table, "Y", all, [&](std::size_t i) { return pairs[i].second; });
-  AddColumn<vtkIdTypeArray>(table, "N", all, [&](std::size_t i) { return all[i].Count; });
-  AddColumn<Number>(table, "Pearson", all, [&](std::size_t i) { return all[i].Pearson; });
-  AddColumn<Number>(table, "Spearman", all, [&](std::size_t i) { return all[i].Spearman; });
-  AddColumn<Number>(table, "Kendall", all, [&](std::size_t i) { return all[i].Kendall; });
-  AddColumn<Number>(table, "PearsonP", all, [&](std::size_t i) { return all[i].PearsonP; });
-  AddColumn<Number>(table, "SpearmanP", all, [&](std::size_t i) { return all[i].SpearmanP; });
-  AddColumn<Number>(table, "KendallP", all, [&](std::size_t i) { return all[i].KendallP; });
+  AddColumn<Count>(
+    table, "N", all, [&](std::size_t i) { return static_cast<vtkIdType>(all[i].Count); });
+  AddColumn<Count>(
+    table, "Families", all, [&](std::size_t i) { return static_cast<vtkIdType>(all[i].Families); });
+  number("Pearson", [](Result r) { return r.Pearson; });
+  number("Spearman", [](Result r) { return r.Spearman; });
+  number("Kendall", [](Result r) { return r.Kendall; });
+  number("DistanceCorrelation", [](Result r) { return r.Distance; });
+  number("Partial", [](Result r) { return r.Partial; });
+  AddColumn<Text>(table, "Coefficient", all, [&](std::size_t) { return coefficient; });
+  number("Tested", [](Result r) { return r.Tested; });
+  number("P", [](Result r) { return r.P; });
+  number("PHolm", [](Result r) { return r.PHolm; });
+  number("PBenjaminiHochberg", [](Result r) { return r.PBenjaminiHochberg; });
+  number("Low", [](Result r) { return r.Bounds.Low; });
+  number("High", [](Result r) { return r.Bounds.High; });
   AddColumn<Text>(table, "Trend", all, [&](std::size_t i) { return all[i].Trend; });
+  AddColumn<Text>(table, "Direction", all,
+    [&](std::size_t i) { return pemesh::DirectionWord(all[i].Direction); });
+  AddColumn<Text>(
+    table, "Strength", all, [&](std::size_t i) { return pemesh::StrengthWord(all[i].Tested); });
+  AddColumn<Text>(table, "Form", all, [&](std::size_t i) { return all[i].Form.Name; });
+  number("FormParameter", [](Result r) { return r.Form.Parameter; });
+  number("FormFit", [](Result r) { return r.Form.Fit; });
+  AddColumn<Text>(table, "Words", all, [&](std::size_t i) { return all[i].Words; });
   AddColumn<Text>(table, "Note", all, [&](std::size_t i) { return all[i].Note; });
 }
 
@@ -235,22 +155,37 @@ int vtkPEMCorrelation::FillInputPortInformation(int, vtkInformation* info)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPEMCorrelation::WhyUnusable(vtkTable* table, const Names& names)
+std::string vtkPEMCorrelation::WhyUnusable(vtkTable* table) const
 {
-  const Names known = NumericColumns(table);
-  for (const std::string& name : names)
+  for (const Names* names : { &this->XColumns, &this->YColumns, &this->GivenColumns })
   {
-    if (std::find(known.begin(), known.end(), name) != known.end())
+    if (std::string reason = pemesh::WhyNotNumeric(table, *names); !reason.empty())
     {
-      continue;
+      return reason;
     }
-    if (table->GetColumnByName(name.c_str()))
+  }
+  if (!this->FamilyColumn.empty())
+  {
+    if (std::string reason = pemesh::WhyNoColumn(table, this->FamilyColumn); !reason.empty())
     {
-      return "The column \"" + name + "\" holds text: name columns that hold numbers.";
+      return reason;
     }
-    const std::string nearest = pemesh::NearestWord(name, known);
-    return "The table has no column \"" + name + "\"" +
-      (nearest.empty() ? std::string(".") : "; did you mean \"" + nearest + "\"?");
+  }
+  const pemesh::CoefficientKind* kind = pemesh::FindCoefficientKind(this->Coefficient);
+  if (!kind)
+  {
+    Names known;
+    for (const pemesh::CoefficientKind& other : pemesh::CoefficientKinds())
+    {
+      known.emplace_back(other.Name);
+    }
+    return "There is no coefficient \"" + this->Coefficient + "\": choose one of " +
+      JoinNames(known) + ".";
+  }
+  if (!this->GivenColumns.empty() && !kind->IsPearson)
+  {
+    return std::string("There is no partial coefficient of ") + kind->Label +
+      ": use spearman or pearson where columns are given.";
   }
   return {};
 }
@@ -261,56 +196,93 @@ int vtkPEMCorrelation::RequestData(
 {
   vtkTable* table = vtkTable::GetData(input[0], 0);
   vtkTable* results = vtkTable::GetData(output, 0);
-  for (const Names* names : { &this->XColumns, &this->YColumns })
+  if (const std::string reason = this->WhyUnusable(table); !reason.empty())
   {
-    const std::string reason = WhyUnusable(table, *names);
-    if (!reason.empty())
-    {
-      vtkErrorMacro(<< reason);
-      return 0;
-    }
+    vtkErrorMacro(<< reason);
+    return 0;
   }
-  const Names x = this->XColumns.empty() ? DefaultColumns(table, false) : this->XColumns;
-  const Names y = this->YColumns.empty() ? DefaultColumns(table, true) : this->YColumns;
-  const auto pairs = MakePairs(x, y);
-  std::map<std::string, std::vector<double>> values;
-  for (const auto& [nameX, nameY] : pairs)
+  const Names x = this->XColumns.empty() ? pemesh::MetricColumns(table) : this->XColumns;
+  Names y = this->YColumns;
+  Names responses = this->YColumns;
+  if (y.empty())
   {
-    for (const std::string& name : { nameX, nameY })
-    {
-      if (!values.count(name))
-      {
-        values.emplace(name, ColumnValues(table, name));
-      }
-    }
+    y = pemesh::MetricColumns(table);
+    responses = pemesh::PerformanceColumns(table);
+    y.insert(y.end(), responses.begin(), responses.end());
   }
-  const Options options{ this->IndependentRows,
-    { this->Permutations, static_cast<std::uint64_t>(this->Seed) }, this->TrendThreshold };
-  std::vector<Result> all;
-  all.reserve(pairs.size());
-  const std::size_t portion = std::max<std::size_t>(pairs.size() / 50, 1);
-  for (const auto& [nameX, nameY] : pairs)
+  else
   {
-    all.push_back(Correlate(values.at(nameX), values.at(nameY), options));
-    const double fraction = static_cast<double>(all.size()) / static_cast<double>(pairs.size());
-    if (all.size() % portion == 0 && !pemesh::ReportProgress(this, fraction))
-    {
-      results->Initialize();
-      return 1;
-    }
+    std::erase_if(responses,
+      [&](const std::string& name) { return std::find(x.begin(), x.end(), name) != x.end(); });
   }
-  FillTable(results, pairs, all);
+  const NamePairs pairs = MakePairs(x, y);
+  const std::string familyColumn = this->FamilyColumnOf(table);
+  const pemesh::PairOptions options = this->MakeOptions(table, familyColumn);
+  const std::vector<pemesh::PairCorrelation> all =
+    pemesh::CorrelatePairs(GatherColumns(table, pairs, this->GivenColumns), options,
+      [this](double done) { return pemesh::ReportProgress(this, done); });
+  if (all.size() < pairs.size())
+  {
+    results->Initialize();
+    return 1;
+  }
+  const std::string given = JoinNames(this->GivenColumns);
+  FillTable(
+    results, pairs, options.Kind->Label + (given.empty() ? std::string() : " given " + given), all);
+  for (const std::string& name : responses)
+  {
+    pemesh::AddToFieldList(results, pemesh::PerformancesList, name);
+  }
+  pemesh::SetFieldText(results, "Rows", NameOf(options.Rows));
+  pemesh::SetFieldText(results, "FamilyColumn", familyColumn);
   return 1;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPEMCorrelation::FamilyColumnOf(vtkTable* table) const
+{
+  const bool pooled = table->GetColumnByName(pemesh::StudyColumn) != nullptr;
+  return this->FamilyColumn.empty() && pooled ? pemesh::StudyColumn : this->FamilyColumn;
+}
+
+//------------------------------------------------------------------------------
+pemesh::PairOptions vtkPEMCorrelation::MakeOptions(
+  vtkTable* table, const std::string& familyColumn) const
+{
+  pemesh::PairOptions options;
+  options.Kind = pemesh::FindCoefficientKind(this->Coefficient);
+  options.Permutations = this->Permutations;
+  options.Bootstrap = this->Bootstrap;
+  options.Level = this->ConfidenceLevel;
+  options.Seed = static_cast<std::uint64_t>(this->Seed);
+  options.TrendThreshold = this->TrendThreshold;
+  if (this->IndependentRows)
+  {
+    options.Rows = pemesh::RowsAre::Independent;
+  }
+  else if (!familyColumn.empty())
+  {
+    options.Families = pemesh::GroupRows(pemesh::ColumnTexts(table, familyColumn));
+    options.Rows =
+      options.Families.size() > 1 ? pemesh::RowsAre::Families : pemesh::RowsAre::OneFamily;
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+void vtkPEMCorrelation::SetNames(Names& member, const Names& names)
+{
+  if (member != names)
+  {
+    member = names;
+    this->Modified();
+  }
 }
 
 //------------------------------------------------------------------------------
 void vtkPEMCorrelation::SetXColumns(const Names& names)
 {
-  if (this->XColumns != names)
-  {
-    this->XColumns = names;
-    this->Modified();
-  }
+  this->SetNames(this->XColumns, names);
 }
 
 //------------------------------------------------------------------------------
@@ -335,11 +307,7 @@ void vtkPEMCorrelation::RemoveAllXColumns()
 //------------------------------------------------------------------------------
 void vtkPEMCorrelation::SetYColumns(const Names& names)
 {
-  if (this->YColumns != names)
-  {
-    this->YColumns = names;
-    this->Modified();
-  }
+  this->SetNames(this->YColumns, names);
 }
 
 //------------------------------------------------------------------------------
@@ -362,22 +330,77 @@ void vtkPEMCorrelation::RemoveAllYColumns()
 }
 
 //------------------------------------------------------------------------------
+void vtkPEMCorrelation::SetGivenColumns(const Names& names)
+{
+  this->SetNames(this->GivenColumns, names);
+}
+
+//------------------------------------------------------------------------------
+Names vtkPEMCorrelation::GetGivenColumns() const
+{
+  return this->GivenColumns;
+}
+
+//------------------------------------------------------------------------------
+void vtkPEMCorrelation::AddGivenColumn(const std::string& name)
+{
+  this->GivenColumns.push_back(name);
+  this->Modified();
+}
+
+//------------------------------------------------------------------------------
+void vtkPEMCorrelation::RemoveAllGivenColumns()
+{
+  this->SetGivenColumns({});
+}
+
+//------------------------------------------------------------------------------
+void vtkPEMCorrelation::SetCoefficient(const std::string& name)
+{
+  if (this->Coefficient != name)
+  {
+    this->Coefficient = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPEMCorrelation::GetCoefficient() const
+{
+  return this->Coefficient;
+}
+
+//------------------------------------------------------------------------------
+void vtkPEMCorrelation::SetFamilyColumn(const std::string& name)
+{
+  if (this->FamilyColumn != name)
+  {
+    this->FamilyColumn = name;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPEMCorrelation::GetFamilyColumn() const
+{
+  return this->FamilyColumn;
+}
+
+//------------------------------------------------------------------------------
 void vtkPEMCorrelation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   const auto printNames = [&](const char* label, const Names& names)
-  {
-    os << indent << label << ":";
-    for (const std::string& name : names)
-    {
-      os << " " << name;
-    }
-    os << (names.empty() ? " (default)\n" : "\n");
-  };
+  { os << indent << label << ": " << (names.empty() ? "(default)" : JoinNames(names)) << "\n"; };
   printNames("XColumns", this->XColumns);
   printNames("YColumns", this->YColumns);
+  printNames("GivenColumns", this->GivenColumns);
+  os << indent << "Coefficient: " << this->Coefficient << "\n";
+  os << indent << "FamilyColumn: " << this->FamilyColumn << "\n";
   os << indent << "IndependentRows: " << (this->IndependentRows ? "On\n" : "Off\n");
   os << indent << "Permutations: " << this->Permutations << "\n";
+  os << indent << "Bootstrap: " << this->Bootstrap << "\n";
+  os << indent << "ConfidenceLevel: " << this->ConfidenceLevel << "\n";
   os << indent << "Seed: " << this->Seed << "\n";
   os << indent << "TrendThreshold: " << this->TrendThreshold << "\n";
 }

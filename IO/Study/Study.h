@@ -156,6 +156,20 @@ struct StudySolver
   bool operator==(const StudySolver&) const = default;
 };
 
+/** How the results are correlated: the options of vtkPEMCorrelation. */
+struct StudyStatistics
+{
+  std::string Coefficient = "spearman"; // a name of the table of coefficients
+  std::vector<std::string> Given;       // columns that are held fixed
+  std::string Family;                   // the column that tells families apart
+  bool IndependentRows = false;
+  int Permutations = 999;
+  int Bootstrap = 0; // samples; 0 = no intervals
+  double Level = 0.95;
+  int Seed = 1;
+  bool operator==(const StudyStatistics&) const = default;
+};
+
 /** One figure. */
 struct StudyPlot
 {
@@ -206,6 +220,7 @@ struct Study
   StudyMesh Mesh;
   StudyMetrics Metrics;
   std::vector<StudySolver> Solvers;
+  StudyStatistics Statistics;
   std::vector<StudyPlot> Plots;
   StudyOutput Output;
   std::filesystem::path Folder; // of the document: what relative paths are relative to; not written

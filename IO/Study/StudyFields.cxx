@@ -115,6 +115,8 @@ const FieldTable<Study>& StudyFields()
       ListField("sweep", &Study::Sweep, SweepFields(), "What changes from mesh to mesh."),
       ObjectField("mesh", &Study::Mesh, MeshFields(), "How the meshes are made."), MetricsField(),
       ListField("solvers", &Study::Solvers, SolverFields(), "Runs of solvers on every mesh."),
+      ObjectField(
+        "statistics", &Study::Statistics, StatisticsFields(), "How the results are correlated."),
       ListField("plots", &Study::Plots, PlotFields(), "The figures."),
       ObjectField("output", &Study::Output, OutputFields(), "What is written.") };
     result.Finish = [](const DocumentPlace& place, Study& study)

@@ -32,6 +32,7 @@ FieldTable<StudySweep> SweepFields();
 FieldTable<StudyDomain> DomainFields();
 FieldTable<StudyMesh> MeshFields();
 FieldTable<StudySolver> SolverFields();
+FieldTable<StudyStatistics> StatisticsFields();
 FieldTable<StudyPlot> PlotFields();
 ///@}
 

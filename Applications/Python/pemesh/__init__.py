@@ -25,3 +25,4 @@ from .pemeshFiltersSolvers import *  # noqa: F401,F403
 from .pemeshFiltersStatistics import *  # noqa: F401,F403
 from .pemeshCharts import *  # noqa: F401,F403
 from .pemeshRunner import *  # noqa: F401,F403
+from .pemeshReport import *  # noqa: F401,F403

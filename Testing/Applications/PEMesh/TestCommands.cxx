@@ -43,8 +43,8 @@ fs::path WriteTwoRectangles(const fs::path& folder)
 
 TEST(Commands, HelpIsEverywhere)
 {
-  for (const char* command :
-    { "run", "generate", "metrics", "solve", "correlate", "plot", "render", "check", "list" })
+  for (const char* command : { "run", "generate", "metrics", "solve", "correlate", "plot", "render",
+         "check", "report", "list" })
   {
     const auto run = RunProgram("pemesh", { command, "--help" });
     EXPECT_EQ(run.ExitCode, 0) << command;

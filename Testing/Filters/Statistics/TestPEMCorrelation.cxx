@@ -67,8 +67,10 @@ TEST(PEMCorrelation, DefaultPairs)
   correlation->Update();
   vtkTable* result = correlation->GetOutput();
   EXPECT_EQ(ColumnNames(result),
-    (std::vector<std::string>{ "X", "Y", "N", "Pearson", "Spearman", "Kendall", "PearsonP",
-      "SpearmanP", "KendallP", "Trend", "Note" }));
+    (std::vector<std::string>{ "X", "Y", "N", "Families", "Pearson", "Spearman", "Kendall",
+      "DistanceCorrelation", "Partial", "Coefficient", "Tested", "P", "PHolm", "PBenjaminiHochberg",
+      "Low", "High", "Trend", "Direction", "Strength", "Form", "FormParameter", "FormFit", "Words",
+      "Note" }));
   std::vector<std::string> pairs;
   for (vtkIdType i = 0; i < result->GetNumberOfRows(); ++i)
   {
@@ -116,6 +118,7 @@ TEST(PEMCorrelation, AlongOneFamilyOnlyTheTrend)
   vtkNew<vtkTable> table = MakeSeries();
   vtkNew<vtkPEMCorrelation> correlation;
   correlation->SetInputData(table);
+  correlation->SetBootstrap(50);
   correlation->Update();
   vtkTable* result = correlation->GetOutput();
   const vtkIdType row = FindPair(result, "Area_min", "vem_error");
@@ -125,12 +128,16 @@ TEST(PEMCorrelation, AlongOneFamilyOnlyTheTrend)
   EXPECT_EQ(result->GetValueByName(row, "Kendall").ToDouble(), -1.0);
   EXPECT_NEAR(result->GetValueByName(row, "Pearson").ToDouble(),
     brute::Pearson({ 8, 7, 6, 5, 4, 3, 2, 1 }, { 1, 2, 4, 8, 16, 32, 64, 128 }), 1e-14);
-  for (const char* p : { "PearsonP", "SpearmanP", "KendallP" })
+  for (const char* p : { "P", "PHolm", "PBenjaminiHochberg", "Low", "High" })
   {
     EXPECT_TRUE(std::isnan(result->GetValueByName(row, p).ToDouble()));
   }
   EXPECT_EQ(result->GetValueByName(row, "Trend").ToString(), "decreasing");
   EXPECT_NE(result->GetValueByName(row, "Note").ToString().find("one family"), std::string::npos);
+  // The error doubles while the area falls by one: exp(-log(2) x).
+  EXPECT_EQ(result->GetValueByName(row, "Words").ToString(),
+    "strong negative, an exponential with rate -0.69");
+  EXPECT_NEAR(result->GetValueByName(row, "FormParameter").ToDouble(), -std::log(2.0), 1e-12);
 }
 
 TEST(PEMCorrelation, ConstantColumnAndMissingValues)
@@ -144,6 +151,8 @@ TEST(PEMCorrelation, ConstantColumnAndMissingValues)
   EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "Pearson").ToDouble()));
   EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "Kendall").ToDouble()));
   EXPECT_EQ(result->GetValueByName(constant, "Trend").ToString(), "constant");
+  EXPECT_EQ(
+    result->GetValueByName(constant, "Words").ToString(), "undefined: X has one value only");
   const vtkIdType mixed = FindPair(result, "Area_mean", "vem_error");
   EXPECT_EQ(result->GetValueByName(mixed, "N").ToInt(), 7);
   EXPECT_NEAR(result->GetValueByName(mixed, "Kendall").ToDouble(),
@@ -160,12 +169,73 @@ TEST(PEMCorrelation, IndependentRowsHavePValues)
   correlation->Update();
   vtkTable* result = correlation->GetOutput();
   const vtkIdType row = FindPair(result, "Area_min", "vem_error");
-  EXPECT_NEAR(result->GetValueByName(row, "SpearmanP").ToDouble(), 2.0 / 40320, 1e-12);
-  EXPECT_NEAR(result->GetValueByName(row, "KendallP").ToDouble(), 2.0 / 40320, 1e-12);
-  EXPECT_LT(result->GetValueByName(row, "PearsonP").ToDouble(), 0.05);
-  EXPECT_NE(result->GetValueByName(row, "Note").ToString().find("exact"), std::string::npos);
+  EXPECT_NEAR(result->GetValueByName(row, "P").ToDouble(), 2.0 / 40320, 1e-12);
+  // Three pairs have a coefficient: those with the constant column are no tests.
+  EXPECT_NEAR(result->GetValueByName(row, "PHolm").ToDouble(), 3 * 2.0 / 40320, 1e-12);
   const vtkIdType constant = FindPair(result, "Area_max", "vem_error");
-  EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "KendallP").ToDouble()));
+  EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "P").ToDouble()));
+}
+
+/** Four studies of four meshes; what they share along the family differs from what tells them
+ * apart. */
+vtkNew<vtkTable> MakePooled()
+{
+  vtkNew<vtkTable> table;
+  std::vector<std::string> studies;
+  Numbers metric;
+  Numbers error;
+  Numbers size;
+  for (int study = 0; study < 4; ++study)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      studies.push_back(std::string(1, static_cast<char>('a' + study)));
+      metric.push_back(10.0 * study + i);
+      size.push_back(1.0 + i * study % 3);
+      error.push_back(100.0 * study + i * i);
+    }
+  }
+  AddColumn<vtkStringArray>(table, "Study", studies);
+  AddColumn<vtkDoubleArray>(table, "MeshSize", size);
+  AddColumn<vtkDoubleArray>(table, "Area_min", metric);
+  AddColumn<vtkDoubleArray>(table, "vem_error", error);
+  return table;
+}
+
+TEST(PEMCorrelation, PooledStudiesHaveFamilyWiseTests)
+{
+  vtkNew<vtkTable> table = MakePooled();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->SetBootstrap(200);
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  ASSERT_EQ(result->GetNumberOfRows(), 1);
+  EXPECT_EQ(result->GetValueByName(0, "Families").ToInt(), 4);
+  // Of the 24 arrangements only the given one and its reverse order so well... the reverse does
+  // not, because within families both rise.
+  EXPECT_DOUBLE_EQ(result->GetValueByName(0, "P").ToDouble(), 1.0 / 24);
+  EXPECT_GT(result->GetValueByName(0, "Low").ToDouble(), 0.5);
+  EXPECT_EQ(result->GetValueByName(0, "High").ToDouble(), 1.0);
+  EXPECT_NE(
+    result->GetValueByName(0, "Note").ToString().find("all 24 arrangements"), std::string::npos);
+  correlation->SetFamilyColumn("MeshSize");
+  correlation->Update();
+  EXPECT_EQ(correlation->GetOutput()->GetValueByName(0, "Families").ToInt(), 3);
+}
+
+TEST(PEMCorrelation, GivenColumnsMakeItPartial)
+{
+  vtkNew<vtkTable> table = MakePooled();
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->AddGivenColumn("MeshSize");
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  EXPECT_EQ(result->GetValueByName(0, "Coefficient").ToString(), "Spearman given MeshSize");
+  EXPECT_EQ(result->GetValueByName(0, "Partial").ToDouble(),
+    result->GetValueByName(0, "Tested").ToDouble());
+  EXPECT_GT(result->GetValueByName(0, "Partial").ToDouble(), 0.9);
 }
 
 TEST(PEMCorrelation, NamedColumnsOnly)
@@ -215,6 +285,32 @@ TEST(PEMCorrelation, TrendIsWhatItsDefinitionSays)
   EXPECT_EQ(TrendOf({ 1, 2, 3, 4 }, { 1, 2, 2, 1 }, 0.0), "mixed");
 }
 
+TEST(PEMCorrelation, ARelationThatTurnsBackIsNotLost)
+{
+  Numbers x;
+  Numbers y;
+  for (int i = -20; i <= 20; ++i)
+  {
+    x.push_back(i);
+    y.push_back(i * i);
+  }
+  vtkNew<vtkTable> table;
+  AddColumn<vtkDoubleArray>(table, "a", x);
+  AddColumn<vtkDoubleArray>(table, "b", y);
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->AddXColumn("a");
+  correlation->AddYColumn("b");
+  const auto words = [&]
+  {
+    correlation->Update();
+    return correlation->GetOutput()->GetValueByName(0, "Words").ToString();
+  };
+  EXPECT_EQ(words(), "weak, of no direction; not monotone: distance correlation 0.49");
+  correlation->SetCoefficient("distance");
+  EXPECT_EQ(words(), "moderate, of no direction");
+}
+
 TEST(PEMCorrelation, UnknownAndTextColumnsAreErrors)
 {
   vtkNew<vtkTable> table = MakeSeries();
@@ -233,6 +329,37 @@ TEST(PEMCorrelation, UnknownAndTextColumnsAreErrors)
   EXPECT_NE(complaint("Mesh").find("holds text"), std::string::npos);
 }
 
+TEST(PEMCorrelation, WrongOptionsAreErrors)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  const auto complaint = [&](auto change)
+  {
+    vtkNew<vtkPEMCorrelation> correlation;
+    vtkNew<vtkTest::ErrorObserver> errors;
+    correlation->AddObserver(vtkCommand::ErrorEvent, errors);
+    correlation->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+    correlation->SetInputData(table);
+    change(correlation);
+    EXPECT_EQ(correlation->GetExecutive()->Update(), 0);
+    return errors->GetErrorMessage();
+  };
+  using Filter = vtkPEMCorrelation*;
+  EXPECT_NE(complaint([](Filter c) { c->SetCoefficient("spaerman"); }).find("spearman, pearson"),
+    std::string::npos);
+  EXPECT_NE(
+    complaint([](Filter c) { c->SetFamilyColumn("Stduy"); }).find("no column"), std::string::npos);
+  EXPECT_NE(complaint([](Filter c) { c->SetGivenColumns({ "Elemnts" }); }).find("Elements"),
+    std::string::npos);
+  EXPECT_NE(complaint(
+              [](Filter c)
+              {
+                c->SetGivenColumns({ "Elements" });
+                c->SetCoefficient("kendall");
+              })
+              .find("no partial coefficient"),
+    std::string::npos);
+}
+
 TEST(PEMCorrelation, EmptyTableGivesNoPairs)
 {
   vtkNew<vtkTable> table;
@@ -240,7 +367,7 @@ TEST(PEMCorrelation, EmptyTableGivesNoPairs)
   correlation->SetInputData(table);
   EXPECT_EQ(correlation->GetExecutive()->Update(), 1);
   EXPECT_EQ(correlation->GetOutput()->GetNumberOfRows(), 0);
-  EXPECT_EQ(correlation->GetOutput()->GetNumberOfColumns(), 11);
+  EXPECT_EQ(correlation->GetOutput()->GetNumberOfColumns(), 24);
 }
 
 TEST(PEMCorrelation, SettersCompareBeforeModified)
@@ -249,11 +376,11 @@ TEST(PEMCorrelation, SettersCompareBeforeModified)
   correlation->SetXColumns({ "a" });
   const vtkMTimeType time = correlation->GetMTime();
   correlation->SetXColumns({ "a" });
-  correlation->SetPermutations(0);
+  correlation->SetPermutations(999);
   correlation->RemoveAllYColumns();
   EXPECT_EQ(correlation->GetMTime(), time);
   correlation->SetPermutations(-5);
-  EXPECT_EQ(correlation->GetPermutations(), 0);
+  EXPECT_EQ(correlation->GetPermutations(), 1);
   correlation->SetTrendThreshold(3.0);
   EXPECT_EQ(correlation->GetTrendThreshold(), 1.0);
   std::ostringstream stream;

@@ -237,6 +237,15 @@ TEST(StudyFile, FormattingWritesEveryDefault)
     "histogram": 0
   },
   "solvers": [],
+  "statistics": {
+    "coefficient": "spearman",
+    "given": [],
+    "independent": false,
+    "permutations": 999,
+    "bootstrap": 0,
+    "level": 0.95,
+    "seed": 1
+  },
   "plots": [],
   "output": {"formats": ["vtp"]}
 }

@@ -48,6 +48,27 @@ TEST(StudySettings, OfMetricsWriteOutTheShortForm)
     std::vector<std::string>{ "all" });
 }
 
+TEST(StudySettings, OfTheStatistics)
+{
+  EXPECT_EQ(
+    With("statistics.given=MeshSize").Statistics.Given, (std::vector<std::string>{ "MeshSize" }));
+  const pemesh::Study study = With(R"(statistics={"family": "family", "coefficient": "distance",
+    "bootstrap": 500, "permutations": 99, "seed": 7, "level": 0.9, "independent": true})");
+  EXPECT_EQ(study.Statistics.Family, "family");
+  EXPECT_EQ(study.Statistics.Coefficient, "distance");
+  EXPECT_EQ(study.Statistics.Bootstrap, 500);
+  EXPECT_EQ(study.Statistics.Permutations, 99);
+  EXPECT_EQ(study.Statistics.Seed, 7);
+  EXPECT_EQ(study.Statistics.Level, 0.9);
+  EXPECT_TRUE(study.Statistics.IndependentRows);
+  EXPECT_EQ(pemesh::ParseStudy(pemesh::FormatStudy(study), "s.json"), study);
+  for (const char* wrong : { "statistics.coefficient=spaerman", "statistics.level=1",
+         "statistics.permutations=0", "statistics.bootstraps=3" })
+  {
+    EXPECT_THAT(Complaint([&] { With(wrong); }), testing::HasSubstr("statistics")) << wrong;
+  }
+}
+
 TEST(StudySettings, LeaveTheRestAlone)
 {
   pemesh::Study expected = pemesh::ParseStudy(FullStudy, "s.json");

@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ReportSections.h"
+
+#include "ColumnRoles.h"
+#include "Correlation.h"
+#include "NumberText.h"
+#include "RelationWords.h"
+#include "ReportContents.h"
+#include "ReportFigures.h"
+#include "ResultPanels.h"
+#include "TrendForm.h"
+#include "vtkPEMChart.h"
+#include "vtkPEMMeshView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include <vtkCellData.h>
+#include <vtkPolyData.h>
+#include <vtkTable.h>
+#include <vtkVariant.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+using Names = std::vector<std::string>;
+
+constexpr int MostSentences = 10;       // a performance; findings.csv has all
+constexpr int MostScatters = 3;         // a performance
+constexpr double LeastRefinement = 1.5; // largest over smallest mesh size, to speak of convergence
+constexpr const char* SizeColumn = "MeshSize";
+
+StudyPlot PlotOf(const std::string& kind, const std::string& x, const std::string& y)
+{
+  StudyPlot plot;
+  plot.Kind = kind;
+  plot.X = x;
+  plot.Y = { y };
+  return plot;
+}
+
+Html Grid(const Html& figures)
+{
+  return HtmlElement("div", { { "class", "figures" } }, figures);
+}
+
+std::string RangeOf(const std::vector<double>& values)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const double value : values)
+  {
+    least = std::isnan(value) ? least : std::min(least, value);
+    greatest = std::isnan(value) ? greatest : std::max(greatest, value);
+  }
+  return least <= greatest ? "from " + RoundedNumber(least) + " to " + RoundedNumber(greatest)
+                           : "undefined everywhere";
+}
+
+/** The metrics that have a band of min, mean and max in the results. */
+Names BandedMetrics(vtkTable* results)
+{
+  Names metrics;
+  for (const std::string& column : NumericColumns(results))
+  {
+    if (!column.ends_with("_min"))
+    {
+      continue;
+    }
+    const std::string name = column.substr(0, column.size() - 4);
+    if (results->GetColumnByName((name + "_max").c_str()) &&
+      results->GetColumnByName((name + "_mean").c_str()))
+    {
+      metrics.push_back(name);
+    }
+  }
+  return metrics;
+}
+
+/** Whether a logarithmic axis says more: positive values over two orders of magnitude. */
+bool SpansDecades(vtkTable* results, const std::string& column)
+{
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = 0.0;
+  for (const double value : ColumnNumbers(results, column))
+  {
+    if (value <= 0.0)
+    {
+      return false;
+    }
+    least = std::isnan(value) ? least : std::min(least, value);
+    greatest = std::isnan(value) ? greatest : std::max(greatest, value);
+  }
+  return greatest >= 100.0 * least;
+}
+
+std::string LogAxes(const ReportContents& contents, const std::string& x, const std::string& y)
+{
+  const bool logX = SpansDecades(contents.Results, x);
+  const bool logY = contents.IsLogarithmic(y) || SpansDecades(contents.Results, y);
+  return std::string(logX ? "x" : "") + (logY ? "y" : "");
+}
+
+std::string TextAt(vtkTable* table, vtkIdType row, const char* column)
+{
+  return table->GetColumnByName(column) ? table->GetValueByName(row, column).ToString()
+                                        : std::string();
+}
+
+std::string SizeOf(vtkPolyData* mesh)
+{
+  return std::to_string(mesh->GetNumberOfCells()) + " elements, " +
+    std::to_string(mesh->GetNumberOfPoints()) + " vertices";
+}
+
+Html ScatterOf(const ReportContents& contents, const FigureFolder& folder, const std::string& x,
+  const std::string& y, const std::string& words)
+{
+  StudyPlot plot = PlotOf("scatter", x, y);
+  plot.Log = LogAxes(contents, x, y);
+  const std::string color = contents.ColorColumn();
+  plot.ColorBy = color == x ? "" : color;
+  const std::string titles = contents.Labels.Title(y) + " against " + contents.Labels.Title(x);
+  const auto chart = MakeResultChart(plot, contents.Results, contents.Labels);
+  chart->ShowLegendOn(); // of the classes, where the colours are classes
+  return EmbedPanel(
+    folder, chart, "Scatter chart: " + titles + ". " + words, titles + ": " + words);
+}
+
+/** The ranked list of one performance, whose rows of the findings begin at `row`. */
+Html RankedList(const ReportContents& contents, const FigureFolder& folder, vtkIdType row)
+{
+  vtkTable* findings = contents.Findings;
+  const std::string performance = TextAt(findings, row, "Performance");
+  Html list;
+  Html scatters;
+  int more = 0;
+  const std::string joint = TextAt(findings, row, "Joint");
+  for (; row < findings->GetNumberOfRows() && TextAt(findings, row, "Performance") == performance;
+       ++row)
+  {
+    const int rank = findings->GetValueByName(row, "Rank").ToInt();
+    more += rank > MostSentences ? 1 : 0;
+    if (rank == 0 || rank > MostSentences)
+    {
+      continue;
+    }
+    const std::string metric = TextAt(findings, row, "Metric");
+    list += HtmlElement("li", {},
+      HtmlElement("strong", contents.Labels.Title(metric)) + HtmlText(" – ") +
+        HtmlText(TextAt(findings, row, "Sentence")));
+    if (rank <= MostScatters && contents.Results->GetColumnByName(metric.c_str()))
+    {
+      scatters += ScatterOf(contents, folder, metric, performance, TextAt(findings, row, "Words"));
+    }
+  }
+  Html section = HtmlElement("h3", contents.Labels.Title(performance));
+  section += list.IsEmpty()
+    ? HtmlParagraph("No metric has a coefficient with it: one of the two never changes, or fewer "
+                    "than two meshes have both.")
+    : HtmlElement("ol", {}, list);
+  if (more > 0)
+  {
+    section += HtmlParagraph(std::to_string(more) + " more are in findings.csv.");
+  }
+  return section + HtmlParagraph(joint) + Grid(scatters);
+}
+
+} // namespace
+
+Html MakeMeshes(const ReportContents& contents, const FigureFolder& folder)
+{
+  Html figures;
+  for (const ShownMesh& shown : contents.Meshes)
+  {
+    const bool generated = shown.Mesh->GetCellData()->GetArray("ElementFamily") != nullptr;
+    auto view = MakeMeshView(shown.Mesh, generated ? "ElementFamily" : "", contents.Labels);
+    view->SetColorTitle("");
+    const std::string caption = shown.Place + " mesh, " + shown.Name + ": " + SizeOf(shown.Mesh);
+    figures += EmbedPanel(folder, view, "Picture of the mesh. " + caption, caption);
+  }
+  return figures.IsEmpty() ? Html() : Grid(figures);
+}
+
+Html MakeMetrics(const ReportContents& contents, const FigureFolder& folder)
+{
+  Html figures;
+  for (const std::string& metric : BandedMetrics(contents.Results))
+  {
+    StudyPlot plot = PlotOf("line", contents.Abscissa(), metric);
+    plot.Log = SpansDecades(contents.Results, metric + "_min") ? "y" : "";
+    const std::string title = contents.Labels.Title(metric);
+    const std::string ranges = "smallest " +
+      RangeOf(ColumnNumbers(contents.Results, metric + "_min")) + ", largest " +
+      RangeOf(ColumnNumbers(contents.Results, metric + "_max"));
+    figures += EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
+      "Line chart of the range and the mean of the metric " + title + "; " + ranges + ".",
+      title + " (" + metric + "): " + ranges);
+  }
+  return figures.IsEmpty()
+    ? Html()
+    : HtmlParagraph("Over the elements of each mesh: the range from the smallest to the largest "
+                    "value, and the mean.") +
+      Grid(figures);
+}
+
+Html MakePerformances(const ReportContents& contents, const FigureFolder& folder)
+{
+  Html figures;
+  for (const std::string& performance : contents.Performances())
+  {
+    StudyPlot plot = PlotOf("line", contents.Abscissa(), performance);
+    plot.Log = contents.IsLogarithmic(performance) ? "y" : "";
+    const std::string title = contents.Labels.Title(performance);
+    const std::string range = RangeOf(ColumnNumbers(contents.Results, performance));
+    figures += EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
+      "Line chart of " + title + ", " + range + ".", title + " (" + performance + "): " + range);
+  }
+  return figures.IsEmpty() ? Html() : Grid(figures);
+}
+
+Html MakeFindings(const ReportContents& contents, const FigureFolder& folder)
+{
+  if (!contents.Findings || contents.Findings->GetNumberOfRows() == 0)
+  {
+    return {};
+  }
+  Html section;
+  if (contents.Pairs && contents.Pairs->GetNumberOfRows() > 0)
+  {
+    section += HtmlElement(
+      "p", { { "class", "note" } }, HtmlText("Note: " + TextAt(contents.Pairs, 0, "Note") + "."));
+  }
+  std::string last;
+  for (vtkIdType row = 0; row < contents.Findings->GetNumberOfRows(); ++row)
+  {
+    const std::string performance = TextAt(contents.Findings, row, "Performance");
+    if (performance != last && contents.Results->GetColumnByName(performance.c_str()))
+    {
+      section += RankedList(contents, folder, row);
+    }
+    last = performance;
+  }
+  return section;
+}
+
+Html MakeConvergence(const ReportContents& contents, const FigureFolder& folder)
+{
+  if (!WhyNotNumeric(contents.Results, { SizeColumn }).empty())
+  {
+    return {};
+  }
+  const std::vector<double> sizes = ColumnNumbers(contents.Results, SizeColumn);
+  std::vector<double> known; // of the meshes that could be made
+  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(known),
+    [](double size) { return std::isfinite(size); });
+  const auto [least, greatest] = std::minmax_element(known.begin(), known.end());
+  if (known.empty() || !(*least > 0.0) || *greatest < LeastRefinement * *least)
+  {
+    return {};
+  }
+  Html figures;
+  HtmlTable table{ "Observed orders: the exponent p of the power law h^p that comes nearest",
+    { "Performance", "Order", "Fit R²", "Meshes" }, {}, false };
+  for (const std::string& performance : contents.Performances())
+  {
+    std::vector<double> h;
+    std::vector<double> values;
+    RemoveMissing(sizes, ColumnNumbers(contents.Results, performance), h, values);
+    const TrendForm form = FindTrendForm(h, values);
+    if (form.Name == "power-law")
+    {
+      table.Rows.push_back({ contents.Labels.Title(performance), RoundedNumber(form.Parameter),
+        RoundedNumber(form.Fit), std::to_string(h.size()) });
+    }
+    if (!contents.IsLogarithmic(performance))
+    {
+      continue;
+    }
+    StudyPlot plot = PlotOf("scatter", SizeColumn, performance);
+    plot.Log = "xy";
+    const std::string title = contents.Labels.Title(performance) + " against the mesh size";
+    figures += EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
+      "Scatter chart with logarithmic axes: " + title + ".", title);
+  }
+  Html section = HtmlParagraph("The mesh size varies from " + RoundedNumber(*least) + " to " +
+    RoundedNumber(*greatest) +
+    ". Where the geometry varies with it, an observed order mixes both.");
+  section += table.Rows.empty()
+    ? HtmlParagraph("No performance is close to a power of the mesh size.")
+    : FormatTable(table);
+  return section + Grid(figures);
+}
+
+} // namespace pemesh

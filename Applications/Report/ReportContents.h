@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * What the folder of a study's results holds, read back. What is missing is empty, and a sentence
+ * says so.
+ */
+#ifndef pemesh_ReportContents_h
+#define pemesh_ReportContents_h
+
+#include "ColumnLabels.h"
+#include "SolverDescription.h"
+#include "Study.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include <vtkSmartPointer.h> // For the tables
+
+class vtkPolyData;
+class vtkTable;
+
+namespace pemesh
+{
+
+struct ShownMesh
+{
+  std::string Name;
+  std::string Place; // "First", "Middle", "Last"
+  vtkSmartPointer<vtkPolyData> Mesh;
+};
+
+struct ReportContents
+{
+  std::filesystem::path Folder;
+  Study TheStudy;
+  std::string Document; // study.json as it is
+  std::vector<SolverDescription> Solvers;
+  ColumnLabels Labels;
+  vtkSmartPointer<vtkTable> Results;
+  vtkSmartPointer<vtkTable> Pairs;    // may be null
+  vtkSmartPointer<vtkTable> Findings; // may be null
+  vtkSmartPointer<vtkTable> Failures; // null where nothing failed
+  std::vector<ShownMesh> Meshes;
+  std::vector<std::string> Remarks; // what could not be shown, and why
+
+  /** The column that the meshes vary by, for abscissae. */
+  std::string Abscissa() const;
+  /** The column that colours points: the families, where the study tells them apart. */
+  std::string ColorColumn() const;
+  std::vector<std::string> Performances() const;
+  /** Whether the description of a solver says so. */
+  bool IsLogarithmic(const std::string& performance) const;
+};
+
+/** Throws std::runtime_error with one sentence where the folder holds no results of a study. */
+ReportContents ReadReportContents(const std::filesystem::path& folder);
+
+} // namespace pemesh
+
+#endif

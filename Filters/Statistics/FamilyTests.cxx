@@ -1,0 +1,411 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "FamilyTests.h"
+
+#include "CoefficientKinds.h"
+#include "Correlation.h"
+#include "ParallelLoop.h"
+#include "PartialCorrelation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t Portion = 64; // pairs between two reports of progress
+
+/** Two samples as their coefficient wants them; zero where missing if that is Pearson's. */
+struct PreparedPair
+{
+  std::vector<double> X;
+  std::vector<double> Y;
+  bool Complete = true;
+};
+
+PreparedPair PreparePair(const PairsOfColumns& pairs, std::size_t pair, const CoefficientKind& kind)
+{
+  PreparedPair prepared{ PrepareSample(kind, pairs.Columns[pairs.Pairs[pair].first]),
+    PrepareSample(kind, pairs.Columns[pairs.Pairs[pair].second]) };
+  std::vector<std::vector<double>> given;
+  for (const std::size_t column : pairs.Given)
+  {
+    given.push_back(PrepareSample(kind, pairs.Columns[column]));
+  }
+  std::vector<std::size_t> rows;
+  for (std::size_t row = 0; row < prepared.X.size(); ++row)
+  {
+    bool present = !std::isnan(prepared.X[row]) && !std::isnan(prepared.Y[row]);
+    for (const std::vector<double>& g : given)
+    {
+      present = present && !std::isnan(g[row]);
+    }
+    if (present)
+    {
+      rows.push_back(row);
+    }
+  }
+  prepared.Complete = rows.size() == prepared.X.size();
+  if (given.empty())
+  {
+    return prepared;
+  }
+  const auto pick = [&](const std::vector<double>& all)
+  {
+    std::vector<double> picked;
+    for (const std::size_t row : rows)
+    {
+      picked.push_back(all[row]);
+    }
+    return picked;
+  };
+  std::transform(given.begin(), given.end(), given.begin(), pick);
+  for (std::vector<double>* sample : { &prepared.X, &prepared.Y })
+  {
+    const std::vector<double> rest = RegressionResiduals(pick(*sample), given);
+    std::fill(sample->begin(), sample->end(), Undefined);
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      (*sample)[rows[i]] = rest[i];
+    }
+  }
+  return prepared;
+}
+
+/** In a fixed order, four sums at a time: quick, and the same bits everywhere. */
+double Dot(const std::vector<double>& u, const std::vector<double>& v)
+{
+  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
+  const std::size_t whole = u.size() / 4 * 4;
+  for (std::size_t i = 0; i < whole; i += 4)
+  {
+    for (std::size_t k = 0; k < 4; ++k)
+    {
+      sums[k] += u[i + k] * v[i + k];
+    }
+  }
+  for (std::size_t i = whole; i < u.size(); ++i)
+  {
+    sums[0] += u[i] * v[i];
+  }
+  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+}
+
+std::vector<double> Centered(const std::vector<double>& sample)
+{
+  const double mean =
+    std::accumulate(sample.begin(), sample.end(), 0.0) / static_cast<double>(sample.size());
+  std::vector<double> centered(sample.size());
+  std::transform(
+    sample.begin(), sample.end(), centered.begin(), [&](double value) { return value - mean; });
+  return centered;
+}
+
+/** The statistic of one pair for one arrangement of Y after the other. */
+class ArrangedStatistic
+{
+public:
+  ArrangedStatistic(PreparedPair pair, const CoefficientKind& kind)
+    : Pair(std::move(pair))
+    , Compute(kind.Compute)
+    , ByProducts(kind.IsPearson && this->Pair.Complete)
+    , Y(this->Pair.Y.size())
+  {
+    this->Observed = this->Evaluate(this->Pair.Y);
+    this->IsDefined = !std::isnan(this->Observed);
+    if (this->ByProducts && this->IsDefined)
+    {
+      // Arrangements change neither means nor spreads: the sum of products tells them apart.
+      this->Pair.X = Centered(this->Pair.X);
+      this->Scale = std::sqrt(
+        Dot(this->Pair.X, this->Pair.X) * Dot(Centered(this->Pair.Y), Centered(this->Pair.Y)));
+      this->Observed = std::fabs(Dot(this->Pair.X, this->Pair.Y)) / this->Scale;
+    }
+  }
+
+  bool HasValue() const { return this->IsDefined; }
+
+  bool IsHit(const std::vector<std::size_t>& rows)
+  {
+    for (std::size_t i = 0; i < rows.size(); ++i)
+    {
+      this->Y[i] = this->Pair.Y[rows[i]];
+    }
+    const double value = this->ByProducts ? std::fabs(Dot(this->Pair.X, this->Y)) / this->Scale
+                                          : this->Evaluate(this->Y);
+    return value >= this->Observed - 1e-12; // the same arrangement by another name is one too
+  }
+
+private:
+  double Evaluate(const std::vector<double>& y)
+  {
+    RemoveMissing(this->Pair.X, y, this->KeptX, this->KeptY);
+    return std::fabs(this->Compute(this->KeptX, this->KeptY));
+  }
+
+  PreparedPair Pair;
+  double (*Compute)(std::span<const double>, std::span<const double>);
+  bool ByProducts;
+  bool IsDefined = false;
+  double Observed = 0.0;
+  double Scale = 1.0;
+  std::vector<double> Y;
+  std::vector<double> KeptX;
+  std::vector<double> KeptY;
+};
+
+/** A sample in its order, so that resamples of it need not be sorted. */
+struct OrderedSample
+{
+  std::span<const double> Values;
+  std::vector<std::size_t> Order; // of the rows that have a value
+
+  explicit OrderedSample(std::span<const double> values)
+    : Values(values)
+  {
+    for (std::size_t row = 0; row < values.size(); ++row)
+    {
+      if (!std::isnan(values[row]))
+      {
+        this->Order.push_back(row);
+      }
+    }
+    std::sort(this->Order.begin(), this->Order.end(),
+      [&](std::size_t a, std::size_t b)
+      { return values[a] != values[b] ? values[a] < values[b] : a < b; });
+  }
+
+  /** Twice the mid-rank of each row less (n + 1), where row i is there times[i] times. */
+  void Ranks(const std::vector<int>& times, int count, std::vector<double>& ranks) const
+  {
+    int below = 0;
+    for (std::size_t first = 0; first < this->Order.size();)
+    {
+      std::size_t last = first;
+      int here = 0;
+      while (last < this->Order.size() &&
+        this->Values[this->Order[last]] == this->Values[this->Order[first]])
+      {
+        here += times[this->Order[last++]];
+      }
+      for (std::size_t i = first; i < last; ++i)
+      {
+        ranks[this->Order[i]] = 2 * below + here + 1 - (count + 1);
+      }
+      below += here;
+      first = last;
+    }
+  }
+};
+
+/** Coefficients of resamples of one pair. */
+class ResampledCoefficient
+{
+public:
+  ResampledCoefficient(const PairsOfColumns& pairs, std::size_t pair, const CoefficientKind& kind)
+    : Kind(kind)
+    , X(pairs.Columns[pairs.Pairs[pair].first])
+    , Y(pairs.Columns[pairs.Pairs[pair].second])
+    , OrderX(X)
+    , OrderY(Y)
+    , RanksX(X.size(), 0.0)
+    , RanksY(X.size(), 0.0)
+    , Times(X.size())
+  {
+    for (const std::size_t column : pairs.Given)
+    {
+      this->Given.emplace_back(pairs.Columns[column]);
+    }
+  }
+
+  double Evaluate(const std::vector<int>& times)
+  {
+    return this->Kind.OfRanks && this->Given.empty() ? this->OfRanks(times) : this->Expanded(times);
+  }
+
+private:
+  /** Spearman's coefficient without sorting: exact integers until the division. */
+  double OfRanks(const std::vector<int>& times)
+  {
+    int count = 0;
+    for (std::size_t row = 0; row < this->X.size(); ++row)
+    {
+      const bool present = !std::isnan(this->X[row]) && !std::isnan(this->Y[row]);
+      this->Times[row] = present ? times[row] : 0;
+      count += this->Times[row];
+    }
+    this->OrderX.Ranks(this->Times, count, this->RanksX);
+    this->OrderY.Ranks(this->Times, count, this->RanksY);
+    double xy = 0.0;
+    double xx = 0.0;
+    double yy = 0.0;
+    for (std::size_t row = 0; row < this->X.size(); ++row)
+    {
+      if (this->Times[row] > 0)
+      {
+        xy += this->Times[row] * this->RanksX[row] * this->RanksY[row];
+        xx += this->Times[row] * this->RanksX[row] * this->RanksX[row];
+        yy += this->Times[row] * this->RanksY[row] * this->RanksY[row];
+      }
+    }
+    return xx > 0.0 && yy > 0.0 ? std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0) : Undefined;
+  }
+
+  double Expanded(const std::vector<int>& times) const
+  {
+    const auto expand = [&](std::span<const double> all)
+    {
+      std::vector<double> drawn;
+      for (std::size_t row = 0; row < all.size(); ++row)
+      {
+        drawn.insert(drawn.end(), static_cast<std::size_t>(times[row]), all[row]);
+      }
+      return drawn;
+    };
+    std::vector<std::vector<double>> given;
+    std::transform(this->Given.begin(), this->Given.end(), std::back_inserter(given), expand);
+    return CoefficientGiven(
+      this->Kind, expand(this->X), expand(this->Y), { given.begin(), given.end() });
+  }
+
+  const CoefficientKind& Kind;
+  std::span<const double> X;
+  std::span<const double> Y;
+  std::vector<std::span<const double>> Given;
+  OrderedSample OrderX;
+  OrderedSample OrderY;
+  std::vector<double> RanksX;
+  std::vector<double> RanksY;
+  std::vector<int> Times;
+};
+
+/** The quantile as R's type 7 and NumPy define it. */
+double Quantile(const std::vector<double>& sorted, double share)
+{
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+/** Calls `body(pair)` for all pairs, portion by portion; false where it was told to stop. */
+bool ForEachPair(
+  std::size_t pairs, const TestProgress& progress, const std::function<void(std::size_t)>& body)
+{
+  for (std::size_t first = 0; first < pairs; first += Portion)
+  {
+    const std::size_t last = std::min(first + Portion, pairs);
+    ParallelLoop(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last), 1,
+      [&](vtkIdType from, vtkIdType to)
+      {
+        for (vtkIdType pair = from; pair < to; ++pair)
+        {
+          body(static_cast<std::size_t>(pair));
+        }
+      });
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(pairs)))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** As many as are worth preparing the pairs for, and as memory holds; none at the end. */
+std::vector<std::vector<std::size_t>> NextArrangements(FamilyShuffle& shuffle, std::size_t rows)
+{
+  constexpr std::size_t most = 512;
+  std::vector<std::vector<std::size_t>> arrangements;
+  std::vector<std::size_t> next(rows);
+  while (arrangements.size() < most && shuffle.Next(next))
+  {
+    arrangements.push_back(next);
+  }
+  return arrangements;
+}
+
+} // namespace
+
+std::vector<double> FamilyPValues(const PairsOfColumns& pairs, const CoefficientKind& kind,
+  const RowFamilies& families, int permutations, std::uint64_t seed, const TestProgress& progress)
+{
+  const std::size_t rows = pairs.Columns.empty() ? 0 : pairs.Columns.front().size();
+  FamilyShuffle shuffle(families, permutations, seed); // every pair sees the same arrangements
+  const int count = shuffle.GetCount();
+  if (count == 0 || (!pairs.Given.empty() && !kind.IsPearson))
+  {
+    return std::vector<double>(pairs.Pairs.size(), Undefined);
+  }
+  std::vector<double> p(pairs.Pairs.size(), 1.0); // hits, the given arrangement being one
+  int done = 0;
+  for (auto block = NextArrangements(shuffle, rows); !block.empty();
+       block = NextArrangements(shuffle, rows))
+  {
+    const auto part = [&](double fraction)
+    {
+      return !progress ||
+        progress(
+          (done + fraction * static_cast<double>(block.size())) / static_cast<double>(count));
+    };
+    const bool goesOn = ForEachPair(pairs.Pairs.size(), part,
+      [&](std::size_t pair)
+      {
+        ArrangedStatistic statistic(PreparePair(pairs, pair, kind), kind);
+        for (const std::vector<std::size_t>& arrangement : block)
+        {
+          p[pair] += !statistic.HasValue() ? Undefined : statistic.IsHit(arrangement) ? 1.0 : 0.0;
+        }
+      });
+    if (!goesOn)
+    {
+      return {};
+    }
+    done += static_cast<int>(block.size());
+  }
+  for (double& hits : p)
+  {
+    hits /= 1.0 + count;
+  }
+  return p;
+}
+
+std::vector<Interval> FamilyIntervals(const PairsOfColumns& pairs, const CoefficientKind& kind,
+  const RowFamilies& families, int samples, double level, std::uint64_t seed,
+  const TestProgress& progress)
+{
+  const std::size_t rows = pairs.Columns.empty() ? 0 : pairs.Columns.front().size();
+  std::vector<Interval> intervals(pairs.Pairs.size(), { Undefined, Undefined });
+  if (families.size() < FewestFamilies || samples < 1)
+  {
+    return intervals;
+  }
+  const bool done = ForEachPair(pairs.Pairs.size(), progress,
+    [&](std::size_t pair)
+    {
+      ResampledCoefficient coefficient(pairs, pair, kind);
+      std::mt19937_64 bits(seed); // every pair sees the same samples
+      std::vector<double> values;
+      for (int sample = 0; sample < samples; ++sample)
+      {
+        const double value = coefficient.Evaluate(DrawFamilies(families, rows, bits));
+        if (!std::isnan(value))
+        {
+          values.push_back(value);
+        }
+      }
+      if (static_cast<double>(values.size()) >= 0.9 * samples)
+      {
+        std::sort(values.begin(), values.end());
+        intervals[pair] = { Quantile(values, (1 - level) / 2), Quantile(values, (1 + level) / 2) };
+      }
+    });
+  return done ? intervals : std::vector<Interval>();
+}
+
+} // namespace pemesh
