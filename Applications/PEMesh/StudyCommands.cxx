@@ -26,22 +26,27 @@ namespace
 
 namespace fs = std::filesystem;
 
-struct StudyArguments
+/** How a study is run, whatever it is. */
+struct RunArguments
 {
-  std::string Study;
   std::string Output;
   int Workers = 0;
+  bool Resume = false;
+  int Retries = 0;
+};
+
+struct StudyArguments : RunArguments
+{
+  std::string Study;
   std::vector<std::string> Settings;
   std::vector<std::string> Formats;
   bool Report = false;
 };
 
-struct SolveArguments
+struct SolveArguments : RunArguments
 {
   std::vector<std::string> Meshes;
   std::string Solver;
-  std::string Output;
-  int Workers = 0;
   double TimeLimit = -1.0;
   std::vector<std::string> Options;
 };
@@ -84,7 +89,9 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
   {
     return WrongUsage;
   }
-  std::cout << Counted(runner->GetNumberOfCases(), "mesh", "meshes") << ", "
+  const int reused = runner->GetNumberOfReusedCases();
+  std::cout << Counted(runner->GetNumberOfCases(), "mesh", "meshes")
+            << (reused > 0 ? " (" + std::to_string(reused) + " as they were)" : "") << ", "
             << Counted(runner->GetNumberOfFailures(), "failure", "failures")
             << ". Results: " << runner->GetOutputDirectory() << "\n";
   for (const std::string& file : runner->GetFigureFiles())
@@ -94,11 +101,30 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
   return done ? AllDone : PartFailed;
 }
 
-void AddWorkersOption(CLI::App* command, int& workers)
+/** All but the output, whose meaning differs. */
+void AddRunOptions(CLI::App* command, RunArguments& arguments)
 {
   command
-    ->add_option("-j,--jobs", workers, "Meshes worked on at the same time (default: one a core)")
+    ->add_option(
+      "-j,--jobs", arguments.Workers, "Meshes worked on at the same time (default: one a core)")
     ->check(CLI::Range(1, 1024));
+  command->add_flag("--resume", arguments.Resume,
+    "Go on from what the folder holds: what is done and has not changed is not done again");
+}
+
+void AddRetryOption(CLI::App* command, RunArguments& arguments)
+{
+  command
+    ->add_option("--retry", arguments.Retries, "Times to try a mesh again where a solver fails")
+    ->check(CLI::Range(0, 1000));
+}
+
+void ApplyRunOptions(vtkPEMRunner* runner, const RunArguments& arguments)
+{
+  runner->SetOutputDirectory(arguments.Output);
+  runner->SetNumberOfWorkers(arguments.Workers);
+  runner->SetResume(arguments.Resume);
+  runner->SetRetries(arguments.Retries);
 }
 
 void AddRun(CLI::App& program, int& exitCode)
@@ -108,7 +134,8 @@ void AddRun(CLI::App& program, int& exitCode)
   command->add_option("STUDY", arguments->Study, "Study document (.json)")->required();
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: the name of the study)");
-  AddWorkersOption(command, arguments->Workers);
+  AddRunOptions(command, *arguments);
+  AddRetryOption(command, *arguments);
   command
     ->add_option("--set", arguments->Settings, "Change a value of the study: mesh.min-angle=25")
     ->type_name("PATH=VALUE")
@@ -121,8 +148,7 @@ void AddRun(CLI::App& program, int& exitCode)
     {
       vtkNew<vtkPEMRunner> runner;
       runner->SetStudyFile(arguments->Study);
-      runner->SetOutputDirectory(arguments->Output);
-      runner->SetNumberOfWorkers(arguments->Workers);
+      ApplyRunOptions(runner, *arguments);
       for (const std::string& setting : arguments->Settings)
       {
         runner->AddSetting(setting);
@@ -142,7 +168,7 @@ void AddGenerate(CLI::App& program, int& exitCode)
     program.add_subcommand("generate", "Make the meshes of a study, nothing else");
   command->add_option("STUDY", arguments->Study, "Study document (.json)")->required();
   command->add_option("-o,--output", arguments->Output, "Folder for the meshes")->required();
-  AddWorkersOption(command, arguments->Workers);
+  AddRunOptions(command, *arguments);
   command
     ->add_option("--format", arguments->Formats, "off, obj, stl, node or vtp; several with commas")
     ->delimiter(',')
@@ -152,8 +178,7 @@ void AddGenerate(CLI::App& program, int& exitCode)
     {
       vtkNew<vtkPEMRunner> runner;
       runner->SetStudyFile(arguments->Study);
-      runner->SetOutputDirectory(arguments->Output);
-      runner->SetNumberOfWorkers(arguments->Workers);
+      ApplyRunOptions(runner, *arguments);
       runner->SetMeshesOnly(true);
       runner->SetMeshFormats(arguments->Formats);
       exitCode = RunToEnd(runner, "generate");
@@ -199,7 +224,8 @@ void AddSolve(CLI::App& program, int& exitCode)
     ->required();
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: SOLVER-results)");
-  AddWorkersOption(command, arguments->Workers);
+  AddRunOptions(command, *arguments);
+  AddRetryOption(command, *arguments);
   command
     ->add_option("--timeout", arguments->TimeLimit, "Seconds allowed for each mesh; 0: no limit")
     ->check(CLI::NonNegativeNumber);
@@ -212,8 +238,7 @@ void AddSolve(CLI::App& program, int& exitCode)
     {
       vtkNew<vtkPEMRunner> runner;
       runner->SetStudyText(SolveDocument(*arguments), fs::current_path().string());
-      runner->SetOutputDirectory(arguments->Output);
-      runner->SetNumberOfWorkers(arguments->Workers);
+      ApplyRunOptions(runner, *arguments);
       exitCode = RunToEnd(runner, "solve");
     });
 }

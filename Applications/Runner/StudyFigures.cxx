@@ -49,14 +49,18 @@ StudyFigures::StudyFigures(const Study& study, const std::vector<SolverDescripti
 
 StudyFigures::~StudyFigures() = default;
 
-void StudyFigures::KeepMesh(const StudyCase& studyCase, vtkPolyData* mesh)
+bool StudyFigures::Shows(const StudyCase& studyCase) const
 {
   const int count = static_cast<int>(this->Cases.size());
   const auto& plots = this->TheStudy.Plots;
-  const bool wanted = std::any_of(plots.begin(), plots.end(),
+  return std::any_of(plots.begin(), plots.end(),
     [&](const StudyPlot& plot)
     { return ShowsMesh(plot) && CaseOfPlot(plot, count) == studyCase.Index; });
-  if (wanted)
+}
+
+void StudyFigures::KeepMesh(const StudyCase& studyCase, vtkPolyData* mesh)
+{
+  if (this->Shows(studyCase))
   {
     auto copy = vtkSmartPointer<vtkPolyData>::New();
     copy->ShallowCopy(mesh);

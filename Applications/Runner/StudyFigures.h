@@ -36,6 +36,9 @@ public:
     const std::vector<StudyCase>& cases);
   ~StudyFigures();
 
+  /** Whether a figure will show the mesh of a case. */
+  bool Shows(const StudyCase& studyCase) const;
+
   /** Keeps the mesh of a case if a figure will show it. May be called from any thread. */
   void KeepMesh(const StudyCase& studyCase, vtkPolyData* mesh);
 

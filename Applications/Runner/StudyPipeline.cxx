@@ -6,6 +6,7 @@
 #include "ErrorText.h"
 #include "MetricSettings.h"
 #include "SolverDescription.h"
+#include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "StudyCases.h"
 #include "StudyGeneration.h"
@@ -35,15 +36,18 @@ namespace pemesh
 namespace
 {
 
-void ConfigureSolver(vtkPEMExternalSolver* solver, const StudySolver& run)
+void ConfigureSolver(
+  vtkPEMExternalSolver* solver, const StudySolver& run, SolverDescription description)
 {
+  for (const SolverLimit& limit : SolverLimits())
+  {
+    description.*limit.OfDescription =
+      (run.*limit.OfRun).value_or(description.*limit.OfDescription);
+  }
+  solver->SetDescription(description);
   for (const auto& [name, value] : run.Options)
   {
     solver->SetOption(name, FormatScalar(value));
-  }
-  if (run.TimeLimit)
-  {
-    solver->SetTimeLimit(*run.TimeLimit);
   }
 }
 
@@ -96,7 +100,7 @@ public:
     this->First->SetInputConnection(this->Generation.Configure(study)->GetOutputPort());
     for (std::size_t i = 0; i < this->Solvers.size(); ++i)
     {
-      ConfigureSolver(this->Solvers[i], study.Solvers[i]);
+      ConfigureSolver(this->Solvers[i], study.Solvers[i], this->Descriptions[i]);
     }
   }
 
@@ -155,6 +159,7 @@ public:
   StudyGeneration Generation;
   vtkNew<vtkPEMCaseLabel> Label;
   vtkNew<vtkPEMMetrics> Metrics;
+  std::vector<SolverDescription> Descriptions;
   std::vector<vtkSmartPointer<vtkPEMExternalSolver>> Solvers;
   vtkNew<vtkPEMMetricSummary> Summary;
   vtkAlgorithm* First = nullptr; // behind the generation
@@ -167,6 +172,7 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
 {
   Internals& pipeline = *this->Implementation;
   pipeline.BaseStudy = study;
+  pipeline.Descriptions = solvers;
   for (vtkAlgorithm* filter : pipeline.Generation.GetFilters())
   {
     pipeline.Observe(filter);
@@ -180,9 +186,11 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
   for (std::size_t i = 0; i < study.Solvers.size(); ++i)
   {
     auto solver = vtkSmartPointer<vtkPEMExternalSolver>::New();
-    solver->SetDescription(solvers[i]);
     solver->SetRunName(study.Solvers[i].Name);
     solver->SetThreads(options.Threads);
+    solver->SetVersion(study.Solvers[i].Version);
+    solver->SetReuseAnswers(options.ReusesAnswers);
+    solver->SetRetries(options.Retries);
     solver->SetWorkDirectory((options.SolverFolder / study.Solvers[i].Name).string());
     pipeline.Append(solver);
     pipeline.Solvers.push_back(solver);

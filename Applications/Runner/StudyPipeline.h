@@ -36,6 +36,9 @@ public:
     std::filesystem::path SolverFolder;
     /** Threads that a solver may use. */
     int Threads = 1;
+    /** See vtkPEMExternalSolver. */
+    bool ReusesAnswers = false;
+    int Retries = 0;
   };
 
   /** `solvers` holds the description of every run of the study. `stop` is read at every progress.

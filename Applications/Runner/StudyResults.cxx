@@ -7,11 +7,13 @@
 #include "NumberText.h"
 #include "Study.h"
 #include "StudyCases.h"
+#include "StudyJournal.h"
 #include "TableRows.h"
 #include "TextFile.h"
 #include "XmlText.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include <vtkDoubleArray.h>
 #include <vtkFieldData.h>
@@ -70,9 +72,10 @@ void RemoveMessages(vtkTable* results, const std::vector<std::string>& runs)
 
 } // namespace
 
-StudyResults::StudyResults(const Study& study, const std::vector<StudyCase>& cases)
+StudyResults::StudyResults(
+  const Study& study, const std::vector<StudyCase>& cases, StudyJournal& journal)
   : Cases(cases)
-  , Rows(cases.size())
+  , Journal(journal)
 {
   for (const StudySolver& solver : study.Solvers)
   {
@@ -82,46 +85,52 @@ StudyResults::StudyResults(const Study& study, const std::vector<StudyCase>& cas
 
 StudyResults::~StudyResults() = default;
 
-void StudyResults::AddRow(const StudyCase& studyCase, vtkTable* row)
+void StudyResults::AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row)
 {
-  auto copy = vtkSmartPointer<vtkTable>::New();
-  copy->DeepCopy(row);
-  const std::scoped_lock lock(this->Mutex);
-  this->Rows[static_cast<std::size_t>(studyCase.Index)] = copy;
-  this->KeepFailures(studyCase, copy);
+  bool mayGoWell = false;
+  for (const StudyFailure& failure : this->FailuresOf(studyCase, row))
+  {
+    mayGoWell = mayGoWell || failure.Stage != "mesh";
+  }
+  this->Journal.Append(studyCase.Index, mayGoWell ? "" : key, row);
 }
 
 void StudyResults::AddFailure(const StudyFailure& failure)
 {
   const std::scoped_lock lock(this->Mutex);
-  this->Failures.push_back(failure);
+  this->NotWritten.push_back(failure);
 }
 
-void StudyResults::KeepFailures(const StudyCase& studyCase, vtkTable* row)
+std::vector<StudyFailure> StudyResults::FailuresOf(const StudyCase& studyCase, vtkTable* row) const
 {
+  std::vector<StudyFailure> failures;
+  {
+    const std::scoped_lock lock(this->Mutex);
+    std::copy_if(this->NotWritten.begin(), this->NotWritten.end(), std::back_inserter(failures),
+      [&](const StudyFailure& failure) { return failure.Index == studyCase.Index; });
+  }
   const std::string status = TextOf(row, "Status");
   if (!status.empty() && status != "ok")
   {
-    this->Failures.push_back(
+    failures.push_back(
       { studyCase.Index, studyCase.Name, "mesh", status, TextOf(row, "StatusMessage") });
-    return; // what follows from it is no failure of its own
+    return failures; // what follows from it is no failure of its own
   }
   for (const std::string& run : this->Runs)
   {
     const std::string runStatus = TextOf(row, run + "_Status");
     if (!runStatus.empty() && runStatus != "ok")
     {
-      this->Failures.push_back(
+      failures.push_back(
         { studyCase.Index, studyCase.Name, run, runStatus, TextOf(row, run + "_StatusMessage") });
     }
   }
+  return failures;
 }
 
 void StudyResults::Finish()
 {
-  std::stable_sort(this->Failures.begin(), this->Failures.end(),
-    [](const StudyFailure& a, const StudyFailure& b) { return a.Index < b.Index; });
-
+  this->Failures.clear();
   this->Results = vtkSmartPointer<vtkTable>::New();
   this->Index = vtkSmartPointer<vtkTable>::New();
   auto* meshIndex = AddColumn<vtkIdTypeArray>(this->Index, "Index");
@@ -135,11 +144,13 @@ void StudyResults::Finish()
   vtkNew<vtkTable> all;
   for (const StudyCase& studyCase : this->Cases)
   {
-    vtkTable* row = this->Rows[static_cast<std::size_t>(studyCase.Index)];
-    if (!row)
+    if (!this->Journal.Has(studyCase.Index))
     {
       continue;
     }
+    const vtkSmartPointer<vtkTable> row = this->Journal.Read(studyCase.Index);
+    const std::vector<StudyFailure> failures = this->FailuresOf(studyCase, row);
+    this->Failures.insert(this->Failures.end(), failures.begin(), failures.end());
     AppendTableRows(all, row);
     rowIndex->InsertNextValue(studyCase.Index);
     meshIndex->InsertNextValue(studyCase.Index);
@@ -208,8 +219,7 @@ void StudyResults::WriteSeries(
   for (const StudyCase& studyCase : this->Cases)
   {
     const std::filesystem::path file = meshes / (studyCase.Name + ".vtp");
-    if (this->Rows[static_cast<std::size_t>(studyCase.Index)] &&
-      std::filesystem::exists(folder / file))
+    if (this->Journal.Has(studyCase.Index) && std::filesystem::exists(folder / file))
     {
       const bool isFamily =
         studyCase.Values.size() == 1 && studyCase.Values[0].Parameter == DeformationParameter;

@@ -18,6 +18,7 @@ class vtkTable;
 namespace pemesh
 {
 
+class StudyJournal;
 struct Study;
 struct StudyCase;
 
@@ -34,16 +35,24 @@ struct StudyFailure
 class StudyResults
 {
 public:
-  StudyResults(const Study& study, const std::vector<StudyCase>& cases);
+  /** The rows are kept in the journal, which must outlive the results. */
+  StudyResults(const Study& study, const std::vector<StudyCase>& cases, StudyJournal& journal);
   ~StudyResults();
 
-  /** Keeps a copy of the row of a case, and what failed in it. May be called from any thread. */
-  void AddRow(const StudyCase& studyCase, vtkTable* row);
+  /**
+   * Keeps the row of a case. A later run takes it by its key, but not where something has failed
+   * that may go well next time: a solver, or the writing of a file. May be called from any thread.
+   */
+  void AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row);
 
-  /** A failure that the row does not tell. May be called from any thread. */
+  /** A failure to write the files of a case, to be told before its row is added. From any thread.
+   */
   void AddFailure(const StudyFailure& failure);
 
-  /** Once all rows are there: makes the tables. Cases without a row are left out. */
+  /**
+   * Makes the tables of the rows there are; cases without a row are left out. Called again when
+   * there are more rows.
+   */
   void Finish();
 
   ///@{
@@ -67,17 +76,18 @@ public:
   void WriteSeries(const std::filesystem::path& folder, const std::filesystem::path& meshes) const;
 
 private:
-  void KeepFailures(const StudyCase& studyCase, vtkTable* row);
+  std::vector<StudyFailure> FailuresOf(const StudyCase& studyCase, vtkTable* row) const;
   vtkSmartPointer<vtkTable> FailureTable() const;
 
   std::vector<std::string> Runs;
   const std::vector<StudyCase>& Cases;
-  std::vector<vtkSmartPointer<vtkTable>> Rows;
+  StudyJournal& Journal;
+  std::vector<StudyFailure> NotWritten;
   std::vector<StudyFailure> Failures;
   vtkSmartPointer<vtkTable> Results;
   vtkSmartPointer<vtkTable> Timings;
   vtkSmartPointer<vtkTable> Index;
-  std::mutex Mutex;
+  mutable std::mutex Mutex;
 };
 
 } // namespace pemesh

@@ -2,79 +2,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMRunner.h"
 
-#include "CaseStatus.h"
 #include "CsvTable.h"
-#include "MeshFormats.h"
 #include "SolverCommand.h"
 #include "SolverDescription.h"
 #include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "StudyCases.h"
+#include "StudyExecution.h"
 #include "StudyFigures.h"
 #include "StudyFile.h"
 #include "StudyFindings.h"
-#include "StudyPipeline.h"
+#include "StudyFolder.h"
+#include "StudyJournal.h"
 #include "StudyResults.h"
 #include "TextFile.h"
 
 #include <algorithm>
 #include <atomic>
-#include <condition_variable>
 #include <filesystem>
-#include <mutex>
 #include <stdexcept>
-#include <thread>
 
 #include <vtkCommand.h>
-#include <vtkFieldData.h>
+#include <vtkNew.h>
 #include <vtkObjectFactory.h>
-#include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 namespace fs = std::filesystem;
 
 vtkStandardNewMacro(vtkPEMRunner);
-
-namespace
-{
-
-/** A folder that holds something else than the results of a study is not ours to write into. */
-void CheckOutputFolder(const fs::path& folder)
-{
-  if (fs::exists(folder) && !fs::is_directory(folder))
-  {
-    throw std::runtime_error(
-      "The output \"" + folder.string() + "\" is a file; name a folder with -o.");
-  }
-  if (fs::exists(folder) && !fs::is_empty(folder) && !fs::exists(folder / "study.json"))
-  {
-    throw std::runtime_error("The output folder \"" + folder.string() +
-      "\" holds something else than the results of a study; name another one with -o.");
-  }
-}
-
-/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
- */
-vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(mesh);
-  vtkFieldData* fields = copy->GetFieldData();
-  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(pemesh::MeasuredList)))
-  {
-    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
-    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
-    {
-      fields->RemoveArray(kept->GetValue(i).c_str());
-    }
-    fields->RemoveArray(pemesh::MeasuredList);
-  }
-  return copy;
-}
-
-} // namespace
 
 class vtkPEMRunner::Internals
 {
@@ -86,10 +42,6 @@ public:
 
   void LoadStudy();
   void RunCases();
-  void Work(int threads);
-  void ExecuteCase(pemesh::StudyPipeline& pipeline, const pemesh::StudyCase& studyCase);
-  void WriteMeshes(const pemesh::StudyCase& studyCase, vtkPolyData* mesh);
-  void WaitForWorkers(std::vector<std::thread>& workers);
   void SaveResults();
   void Correlate();
 
@@ -103,6 +55,8 @@ public:
   fs::path OutputDirectory;
   int NumberOfWorkers = 0;
   bool MeshesOnly = false;
+  bool Resume = false;
+  int Retries = 0;
   std::vector<std::string> MeshFormats;
 
   // What follows from it.
@@ -110,6 +64,7 @@ public:
   fs::path Output;
   std::vector<pemesh::SolverDescription> Solvers;
   std::vector<pemesh::StudyCase> Cases;
+  std::unique_ptr<pemesh::StudyJournal> Journal;
   std::unique_ptr<pemesh::StudyResults> Results;
   std::unique_ptr<pemesh::StudyFigures> Figures;
   vtkSmartPointer<vtkTable> Correlation;
@@ -117,14 +72,8 @@ public:
   std::vector<std::string> FigureFiles;
   bool Refused = false;
 
-  // What the workers share.
   std::atomic<bool> Stop{ false };
-  std::atomic<std::size_t> NextCase{ 0 };
-  std::mutex Mutex;
-  std::condition_variable Changed;
-  std::size_t CasesDone = 0;
-  std::size_t WorkersDone = 0;
-  std::string WrongConfiguration;
+  int CasesReused = 0;
 };
 
 vtkPEMRunner::vtkPEMRunner()
@@ -174,118 +123,23 @@ void vtkPEMRunner::Internals::LoadStudy()
   {
     throw std::runtime_error("The study has no name: name its output folder with -o.");
   }
-  CheckOutputFolder(this->Output);
-}
-
-void vtkPEMRunner::Internals::WriteMeshes(const pemesh::StudyCase& studyCase, vtkPolyData* mesh)
-{
-  if (mesh->GetNumberOfCells() == 0)
-  {
-    return; // its status says why
-  }
-  const fs::path folder = this->MeshesOnly ? this->Output : this->Output / "meshes";
-  const vtkSmartPointer<vtkPolyData> saved = WithoutMeasured(mesh);
-  for (const std::string& name : this->Study.Output.Formats)
-  {
-    const pemesh::MeshFormat* format = pemesh::FindMeshFormat(name);
-    if (!format)
-    {
-      throw std::runtime_error("\"" + name + "\" is no mesh format.");
-    }
-    format->Write(folder / (studyCase.Name + format->Extensions.front()), saved);
-  }
-}
-
-void vtkPEMRunner::Internals::ExecuteCase(
-  pemesh::StudyPipeline& pipeline, const pemesh::StudyCase& studyCase)
-{
-  pipeline.Execute(studyCase);
-  if (this->Stop)
-  {
-    return; // what an abort leaves is no result
-  }
-  try
-  {
-    this->WriteMeshes(studyCase, pipeline.GetMesh());
-  }
-  catch (const std::exception& error)
-  {
-    this->Results->AddFailure(
-      { studyCase.Index, studyCase.Name, "output", "not-written", error.what() });
-  }
-  this->Results->AddRow(studyCase, pipeline.GetRow());
-  this->Figures->KeepMesh(studyCase, pipeline.GetMesh());
-}
-
-void vtkPEMRunner::Internals::Work(int threads)
-{
-  try
-  {
-    pemesh::StudyPipeline pipeline(
-      this->Study, this->Solvers, { this->Output / "solvers", threads }, this->Stop);
-    while (!this->Stop)
-    {
-      const std::size_t next = this->NextCase++;
-      if (next >= this->Cases.size())
-      {
-        break;
-      }
-      this->ExecuteCase(pipeline, this->Cases[next]);
-      const std::scoped_lock lock(this->Mutex);
-      ++this->CasesDone;
-      this->Changed.notify_one();
-    }
-  }
-  catch (const std::exception& error)
-  {
-    // Wrong for one case, wrong for all: there is no point in going on.
-    const std::scoped_lock lock(this->Mutex);
-    this->WrongConfiguration = error.what();
-    this->Stop = true;
-  }
-  const std::scoped_lock lock(this->Mutex);
-  ++this->WorkersDone;
-  this->Changed.notify_one();
-}
-
-void vtkPEMRunner::Internals::WaitForWorkers(std::vector<std::thread>& workers)
-{
-  std::unique_lock lock(this->Mutex);
-  while (this->WorkersDone < workers.size())
-  {
-    this->Changed.wait(lock);
-    double fraction =
-      static_cast<double>(this->CasesDone) / static_cast<double>(this->Cases.size());
-    lock.unlock();
-    this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
-    lock.lock();
-  }
-  lock.unlock();
-  for (std::thread& worker : workers)
-  {
-    worker.join();
-  }
+  pemesh::CheckStudyFolder(this->Output);
 }
 
 void vtkPEMRunner::Internals::RunCases()
 {
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int wanted = this->NumberOfWorkers > 0 ? this->NumberOfWorkers : cores;
-  const int count = std::min(wanted, static_cast<int>(this->Cases.size()));
-  const int threads = std::max(1, cores / count);
-  this->NextCase = 0;
-  this->CasesDone = 0;
-  this->WorkersDone = 0;
-  this->WrongConfiguration.clear();
-  std::vector<std::thread> workers;
-  for (int i = 0; i < count; ++i)
+  const pemesh::StudyExecution::Options options{ this->Output,
+    this->MeshesOnly ? this->Output : this->Output / "meshes", this->NumberOfWorkers, this->Resume,
+    this->Retries, !this->MeshesOnly };
+  pemesh::StudyExecution execution(
+    this->Study, this->Solvers, this->Cases, options, *this->Journal, this->Stop);
+  const auto report = [this](double fraction)
+  { this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction); };
+  const std::string interruption = execution.Run(*this->Results, *this->Figures, report);
+  this->CasesReused = execution.GetNumberOfReusedCases();
+  if (!interruption.empty())
   {
-    workers.emplace_back([this, threads] { this->Work(threads); });
-  }
-  this->WaitForWorkers(workers);
-  if (!this->WrongConfiguration.empty())
-  {
-    throw std::runtime_error(this->WrongConfiguration);
+    this->Messages.push_back(interruption);
   }
 }
 
@@ -335,12 +189,16 @@ bool vtkPEMRunner::Run()
   run.FigureFiles.clear();
   run.Correlation = nullptr;
   run.Results.reset();
+  run.Journal.reset();
   run.Refused = false;
   run.Stop = false;
   try
   {
     run.LoadStudy();
-    run.Results = std::make_unique<pemesh::StudyResults>(run.Study, run.Cases);
+    run.Journal = std::make_unique<pemesh::StudyJournal>(
+      run.Output / "journal.tsv", run.Resume, run.Cases.size());
+    pemesh::RemoveStaleFiles(run.Output, run.Study, run.Cases, run.Resume);
+    run.Results = std::make_unique<pemesh::StudyResults>(run.Study, run.Cases, *run.Journal);
     run.Figures = std::make_unique<pemesh::StudyFigures>(run.Study, run.Solvers, run.Cases);
     pemesh::WriteTextFile(
       run.Output / "study.json", pemesh::FormatStudy(pemesh::MoveStudy(run.Study, run.Output)));
@@ -353,11 +211,12 @@ bool vtkPEMRunner::Run()
     run.Refused = true;
     return false;
   }
+  run.Journal.reset(); // others may go on from it
   const vtkIdType rows = run.Results->GetResults()->GetNumberOfRows();
   if (rows < static_cast<vtkIdType>(run.Cases.size()))
   {
     run.Messages.push_back("Stopped after " + std::to_string(rows) + " of " +
-      std::to_string(run.Cases.size()) + " meshes; what was done is saved.");
+      std::to_string(run.Cases.size()) + " meshes; what was done is saved, and --resume goes on.");
   }
   return run.Messages.empty();
 }
@@ -415,6 +274,33 @@ void vtkPEMRunner::SetNumberOfWorkers(int workers)
 int vtkPEMRunner::GetNumberOfWorkers() const
 {
   return this->Implementation->NumberOfWorkers;
+}
+
+void vtkPEMRunner::SetResume(bool resume)
+{
+  this->Implementation->Resume = resume;
+  this->Modified();
+}
+
+bool vtkPEMRunner::GetResume() const
+{
+  return this->Implementation->Resume;
+}
+
+void vtkPEMRunner::SetRetries(int retries)
+{
+  this->Implementation->Retries = std::max(0, retries);
+  this->Modified();
+}
+
+int vtkPEMRunner::GetRetries() const
+{
+  return this->Implementation->Retries;
+}
+
+int vtkPEMRunner::GetNumberOfReusedCases() const
+{
+  return this->Implementation->CasesReused;
 }
 
 void vtkPEMRunner::SetMeshesOnly(bool meshesOnly)
@@ -481,6 +367,8 @@ void vtkPEMRunner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "StudyFile: " << run.StudyFile.string() << "\n";
   os << indent << "OutputDirectory: " << this->GetOutputDirectory() << "\n";
   os << indent << "NumberOfWorkers: " << run.NumberOfWorkers << "\n";
+  os << indent << "Resume: " << run.Resume << "\n";
+  os << indent << "Retries: " << run.Retries << "\n";
   os << indent << "MeshesOnly: " << run.MeshesOnly << "\n";
   for (const std::string& format : run.MeshFormats)
   {

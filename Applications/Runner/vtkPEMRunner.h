@@ -19,9 +19,12 @@
  *   study.json       the study with every default written out
  *   meshes/          the meshes with all arrays, series.pvd beside the folder
  *   solvers/<run>/   the raw files and logs of every solver run
+ *   journal.tsv      the rows as they come; what Resume goes on from
  *   plots/           the figures that the study asks for
  *
- * A case that fails is a row with its status; the others are done and saved.
+ * A case that fails is a row with its status; the others are done and saved. While the study runs
+ * the tables hold what is done so far. What an earlier run has left in the folder for meshes that
+ * the study does not have any more is removed.
  *
  * Events: ProgressEvent with the fraction done (const double*), in the thread that called Run().
  * @sa vtkPEMSeriesTable
@@ -85,6 +88,23 @@ public:
   void SetMeshFormats(const std::vector<std::string>& formats);
   ///@}
 
+  ///@{
+  /**
+   * Whether the run goes on from what the folder holds: a case is taken as it is where all that it
+   * follows from is as it was (the study, the bytes of mesh files, the solvers and their versions)
+   * and its files are there; so is an answer of a solver. Cases in which a solver has failed are
+   * done again. The results are those of an undisturbed run. Default false.
+   */
+  void SetResume(bool resume);
+  bool GetResume() const;
+  ///@}
+
+  ///@{
+  /** How often a solver is tried again on a mesh where it has failed. Default 0. */
+  void SetRetries(int retries);
+  int GetRetries() const;
+  ///@}
+
   /**
    * Runs the study. True only if every case was done without a failure; then, and when some cases
    * failed, the results are saved. GetMessages() says in sentences what went wrong.
@@ -96,6 +116,8 @@ public:
   bool GetRefused() const;
   int GetNumberOfCases() const;
   int GetNumberOfFailures() const;
+  /** Cases that were taken from an earlier run. */
+  int GetNumberOfReusedCases() const;
   ///@}
 
   /** After Run(): one sentence for every failure, in the order of the cases. */

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChildProcess.h"
 
+#include "NumberText.h"
+#include "OutputLog.h"
+#include "ProcessPipe.h"
+#include "SolverCommand.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -27,166 +34,12 @@ using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
 using Ending = ChildProcessResult::Ending;
 
-constexpr int PollMilliseconds = 20;
+constexpr const char* Supervisor = "pemesh-supervise";
 constexpr Seconds ReportInterval{ 0.1 };
-constexpr Seconds GraceAfterTerminate{ 0.5 };
 
-[[noreturn]] void FailWithErrno(const std::string& what)
-{
-  throw std::runtime_error("Cannot " + what + ": " + std::strerror(errno) + ".");
-}
-
-/** An open file, closed at the end of its life. */
-class Descriptor
-{
-public:
-  explicit Descriptor(int number = -1)
-    : Number(number)
-  {
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  ~Descriptor() { this->Reset(); }
-
-  void Reset(int number = -1)
-  {
-    if (this->Number >= 0)
-    {
-      close(this->Number);
-    }
-    this->Number = number;
-  }
-  int Get() const { return this->Number; }
-  bool IsOpen() const { return this->Number >= 0; }
-
-private:
-  int Number;
-};
-
-/** A pipe whose ends no other child inherits, above the three standard descriptors. */
-void OpenPipe(Descriptor& readEnd, Descriptor& writeEnd)
-{
-  int ends[2];
-  if (pipe2(ends, O_CLOEXEC) != 0)
-  {
-    FailWithErrno("make a pipe");
-  }
-  const Descriptor read(ends[0]);
-  const Descriptor write(ends[1]);
-  constexpr int firstAboveStandard = 3;
-  readEnd.Reset(fcntl(read.Get(), F_DUPFD_CLOEXEC, firstAboveStandard));
-  writeEnd.Reset(fcntl(write.Get(), F_DUPFD_CLOEXEC, firstAboveStandard));
-  if (!readEnd.IsOpen() || !writeEnd.IsOpen() || fcntl(readEnd.Get(), F_SETFL, O_NONBLOCK) != 0)
-  {
-    FailWithErrno("make a pipe");
-  }
-}
-
-/** Takes one output of the child: the first bytes into a file, the last ones into memory. */
-class OutputLog
-{
-public:
-  OutputLog(const std::filesystem::path& path, std::size_t limit)
-    : Room(limit)
-  {
-    if (!path.empty())
-    {
-      this->File.Reset(open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
-      if (!this->File.IsOpen())
-      {
-        FailWithErrno("write \"" + path.string() + '"');
-      }
-    }
-    OpenPipe(this->ReadEnd, this->WriteEnd);
-  }
-
-  int GetWriteEnd() const { return this->WriteEnd.Get(); }
-  int GetReadEnd() const { return this->ReadEnd.Get(); }
-  void CloseWriteEnd() { this->WriteEnd.Reset(); }
-
-  /** Reads what there is; bounded, because a child may write without end. */
-  void Drain()
-  {
-    constexpr int mostReads = 256;
-    std::array<char, 16384> buffer;
-    for (int i = 0; i < mostReads && this->ReadEnd.IsOpen(); ++i)
-    {
-      const ssize_t got = read(this->ReadEnd.Get(), buffer.data(), buffer.size());
-      if (got > 0)
-      {
-        this->Keep({ buffer.data(), static_cast<std::size_t>(got) });
-      }
-      else if (got == 0)
-      {
-        this->ReadEnd.Reset();
-      }
-      else if (errno != EINTR)
-      {
-        return; // nothing more for now
-      }
-    }
-  }
-
-  /** The last line that is not blank, without control characters, shortened. */
-  std::string LastLine() const
-  {
-    constexpr std::string_view blanks = " \t\r\n";
-    std::string_view text = this->Tail;
-    text = text.substr(0, text.find_last_not_of(blanks) + 1);
-    text = text.substr(text.find_last_of("\r\n") + 1); // npos + 1 is 0
-    text = text.substr(std::min(text.size(), text.find_first_not_of(blanks)));
-    std::string line;
-    constexpr std::size_t longest = 300;
-    for (const char c : text.substr(0, longest))
-    {
-      line += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-    while (!line.empty() && text.size() > longest && (line.back() & 0xC0) == 0x80)
-    {
-      line.pop_back(); // half a character of UTF-8
-    }
-    return line;
-  }
-
-private:
-  void Keep(std::string_view bytes)
-  {
-    constexpr std::size_t tailSize = 4096;
-    this->Tail.append(bytes.substr(bytes.size() - std::min(bytes.size(), tailSize)));
-    this->Tail.erase(0, this->Tail.size() - std::min(this->Tail.size(), tailSize));
-    if (!this->File.IsOpen())
-    {
-      return;
-    }
-    this->Write(bytes.substr(0, this->Room));
-    if (bytes.size() > this->Room)
-    {
-      this->Write("\n[The output goes on; only its beginning is kept.]\n");
-      this->File.Reset();
-      return;
-    }
-    this->Room -= bytes.size();
-  }
-
-  void Write(std::string_view bytes)
-  {
-    while (!bytes.empty())
-    {
-      const ssize_t written = write(this->File.Get(), bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR)
-      {
-        return; // a full disk must not end the run: the log is a courtesy
-      }
-      bytes.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(0, written)));
-    }
-  }
-
-  Descriptor File;
-  Descriptor ReadEnd;
-  Descriptor WriteEnd;
-  std::size_t Room;
-  std::string Tail;
-};
+// Where the supervisor expects them.
+constexpr int ControlDescriptor = 3;
+constexpr int ReportDescriptor = 4;
 
 /** The environment of this program with the changes for the child. */
 std::vector<std::string> MakeEnvironment(const ChildProcess& child)
@@ -233,20 +86,18 @@ std::vector<char*> MakePointers(const std::vector<std::string>& strings)
 class SpawnSettings
 {
 public:
-  SpawnSettings(const std::filesystem::path& folder, int output, int errors)
+  SpawnSettings(const std::filesystem::path& folder)
   {
     posix_spawn_file_actions_init(&this->Actions);
     posix_spawnattr_init(&this->Attributes);
     posix_spawn_file_actions_addopen(&this->Actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-    posix_spawn_file_actions_adddup2(&this->Actions, output, STDOUT_FILENO);
-    posix_spawn_file_actions_adddup2(&this->Actions, errors, STDERR_FILENO);
     if (!folder.empty())
     {
       posix_spawn_file_actions_addchdir_np(&this->Actions, folder.c_str());
     }
     posix_spawnattr_setflags(
       &this->Attributes, POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
-    posix_spawnattr_setpgroup(&this->Attributes, 0); // a group of its own
+    posix_spawnattr_setpgroup(&this->Attributes, 0); // Ctrl-C at the terminal is not for it
     sigset_t signals;
     sigfillset(&signals); // signals that this program ignores are not ignored in the child
     posix_spawnattr_setsigdefault(&this->Attributes, &signals);
@@ -261,56 +112,13 @@ public:
     posix_spawnattr_destroy(&this->Attributes);
   }
 
+  void Give(const FileDescriptor& descriptor, int number)
+  {
+    posix_spawn_file_actions_adddup2(&this->Actions, descriptor.Get(), number);
+  }
+
   posix_spawn_file_actions_t Actions;
   posix_spawnattr_t Attributes;
-};
-
-/** A process that runs. Dies, with its whole group, at the end of the life of this object. */
-class RunningProcess
-{
-public:
-  explicit RunningProcess(pid_t process)
-    : Process(process)
-  {
-  }
-  RunningProcess(const RunningProcess&) = delete;
-  RunningProcess& operator=(const RunningProcess&) = delete;
-  ~RunningProcess() { this->Finish(); }
-
-  /** Leaves the process unreaped, so that its number, and that of its group, stay its own. */
-  bool HasEnded() const
-  {
-    siginfo_t information = {};
-    const int error =
-      waitid(P_PID, static_cast<id_t>(this->Process), &information, WEXITED | WNOHANG | WNOWAIT);
-    return error == 0 ? information.si_pid != 0 : errno == ECHILD;
-  }
-
-  void Kill(int signal) const
-  {
-    kill(-this->Process, signal);
-    kill(this->Process, signal);
-  }
-
-  /** Kills what is left of the group and returns the status as waitpid has it. */
-  int Finish()
-  {
-    if (this->Process > 0)
-    {
-      this->Kill(SIGKILL);
-      // Where the host program ignores SIGCHLD there is no status: taken for 0, because what the
-      // program has written is checked anyway.
-      while (waitpid(this->Process, &this->Status, 0) < 0 && errno == EINTR)
-      {
-      }
-      this->Process = 0;
-    }
-    return this->Status;
-  }
-
-private:
-  pid_t Process;
-  int Status = 0;
 };
 
 ChildProcessResult NotStarted(const std::string& reason, bool missing)
@@ -321,53 +129,178 @@ ChildProcessResult NotStarted(const std::string& reason, bool missing)
   return result;
 }
 
-/** Waits until the child has ended, by itself or by force, and says which. */
-Ending WaitForEnd(
-  const ChildProcess& child, const RunningProcess& process, OutputLog& output, OutputLog& errors)
+ChildProcessResult NotStarted(int error)
 {
-  const Clock::time_point start = Clock::now();
-  Clock::time_point nextReport = start;
-  Clock::time_point terminated;
-  Ending ending = Ending::Exited;
-  for (;;)
+  return NotStarted(std::strerror(error), error == ENOENT || error == ENOTDIR);
+}
+
+/** One child under supervision, from its start to what the supervisor reports of it. */
+class SupervisedProcess
+{
+public:
+  explicit SupervisedProcess(const ChildProcess& child)
+    : Child(child)
+    , Output(child.OutputFile, child.OutputLimit)
+    , Errors(child.ErrorFile, child.OutputLimit)
   {
-    std::array<pollfd, 2> pipes{ pollfd{ output.GetReadEnd(), POLLIN, 0 },
-      pollfd{ errors.GetReadEnd(), POLLIN, 0 } }; // poll skips negative descriptors
-    const bool silent = pipes[0].fd < 0 && pipes[1].fd < 0;
-    poll(pipes.data(), pipes.size(), silent ? PollMilliseconds / 10 : PollMilliseconds);
-    output.Drain();
-    errors.Drain();
-    if (process.HasEnded())
+  }
+  SupervisedProcess(const SupervisedProcess&) = delete;
+  SupervisedProcess& operator=(const SupervisedProcess&) = delete;
+  /** An exception of GoOn leaves nobody behind. */
+  ~SupervisedProcess()
+  {
+    this->Control.WriteEnd.Reset();
+    this->Finish();
+  }
+
+  /** 0, or the errno that kept the supervisor itself from starting. */
+  int Start(const std::filesystem::path& supervisor)
+  {
+    SpawnSettings settings(this->Child.WorkingDirectory);
+    settings.Give(this->Output.GetPipe().WriteEnd, STDOUT_FILENO);
+    settings.Give(this->Errors.GetPipe().WriteEnd, STDERR_FILENO);
+    settings.Give(this->Control.ReadEnd, ControlDescriptor);
+    settings.Give(this->Report.WriteEnd, ReportDescriptor);
+    std::vector<std::string> arguments{ supervisor.string() };
+    for (const double limit : { this->Child.TimeLimit, this->Child.ProcessorLimit,
+           this->Child.MemoryLimit, this->Child.FileLimit })
     {
-      return ending;
+      arguments.push_back(FormatNumber(limit));
     }
-    const Clock::time_point now = Clock::now();
-    if (ending != Ending::Exited)
+    arguments.insert(arguments.end(), this->Child.Arguments.begin(), this->Child.Arguments.end());
+    const std::vector<std::string> environment = MakeEnvironment(this->Child);
+    const int error = posix_spawn(&this->Process, supervisor.c_str(), &settings.Actions,
+      &settings.Attributes, MakePointers(arguments).data(), MakePointers(environment).data());
+    for (ProcessPipe* pipe : { &this->Output.GetPipe(), &this->Errors.GetPipe(), &this->Report })
     {
-      if (now - terminated > GraceAfterTerminate)
+      pipe->WriteEnd.Reset();
+    }
+    this->Control.ReadEnd.Reset();
+    return error;
+  }
+
+  /** Until the supervisor has said its last word; whether that is because GoOn said so. */
+  bool WaitForEnd()
+  {
+    const Clock::time_point start = Clock::now();
+    Clock::time_point nextReport = start;
+    bool isCancelled = false;
+    while (this->Report.ReadEnd.IsOpen())
+    {
+      std::array<pollfd, 3> pipes{ pollfd{ this->Output.GetPipe().ReadEnd.Get(), POLLIN, 0 },
+        pollfd{ this->Errors.GetPipe().ReadEnd.Get(), POLLIN, 0 },
+        pollfd{ this->Report.ReadEnd.Get(), POLLIN, 0 } }; // poll skips negative descriptors
+      constexpr int milliseconds = 20;
+      poll(pipes.data(), pipes.size(), milliseconds);
+      this->Drain();
+      const Clock::time_point now = Clock::now();
+      if (now < nextReport || isCancelled)
       {
-        process.Kill(SIGKILL);
+        continue;
       }
-      continue;
+      nextReport = now + std::chrono::duration_cast<Clock::duration>(ReportInterval);
+      if (this->Child.GoOn && !this->Child.GoOn(Seconds(now - start).count()))
+      {
+        isCancelled = true;
+        this->Control.WriteEnd.Reset();
+      }
     }
-    const double seconds = Seconds(now - start).count();
-    if (child.TimeLimit > 0.0 && seconds > child.TimeLimit)
+    return isCancelled;
+  }
+
+  /** Waits for the supervisor, and ends what it could not if it was killed. */
+  void Finish()
+  {
+    while (this->Process > 0 && waitpid(this->Process, nullptr, 0) < 0 && errno == EINTR)
     {
-      ending = Ending::TimeLimit;
     }
-    else if (now >= nextReport && child.GoOn && !child.GoOn(seconds))
+    this->Process = 0;
+    this->Drain();
+    pid_t program = 0;
+    if (this->Words.rfind("started ", 0) == 0 && this->LastWords().empty())
     {
-      ending = Ending::Cancelled;
+      std::istringstream(this->Words.substr(this->Words.find(' '))) >> program;
     }
-    nextReport = now >= nextReport
-      ? now + std::chrono::duration_cast<Clock::duration>(ReportInterval)
-      : nextReport;
-    if (ending != Ending::Exited)
+    if (program > 0)
     {
-      terminated = now;
-      process.Kill(SIGTERM);
+      kill(-program, SIGKILL);
     }
   }
+
+  /** The line about the ending. */
+  std::string LastWords() const
+  {
+    const std::size_t end = this->Words.rfind('\n');
+    if (end == std::string::npos)
+    {
+      return {};
+    }
+    const std::size_t before = end == 0 ? end : this->Words.rfind('\n', end - 1);
+    const std::string line = this->Words.substr(before + 1, end - before - 1); // npos + 1 is 0
+    return line.rfind("started ", 0) == 0 ? std::string() : line;
+  }
+
+  std::string LastErrorLine() const { return this->Errors.LastLine(); }
+
+private:
+  void Drain()
+  {
+    this->Output.Drain();
+    this->Errors.Drain();
+    constexpr std::size_t most = 256;
+    this->Words += this->Report.Read(most);
+  }
+
+  const ChildProcess& Child;
+  OutputLog Output;
+  OutputLog Errors;
+  ProcessPipe Control;
+  ProcessPipe Report;
+  std::string Words; // of the supervisor
+  pid_t Process = 0; // the supervisor
+};
+
+std::string DescribeSignal(int number)
+{
+  const char* name = sigabbrev_np(number);
+  const char* words = sigdescr_np(number);
+  return name && words ? "SIG" + std::string(name) + ", " + words : std::to_string(number);
+}
+
+/** The words of the supervisor's report for an ending that is more than a status. */
+struct EndingWord
+{
+  const char* Word;
+  Ending How;
+};
+constexpr std::array<EndingWord, 6> EndingWords{ { { "exited", Ending::Exited },
+  { "signal", Ending::Signal }, { "time", Ending::TimeLimit }, { "cpu", Ending::ProcessorLimit },
+  { "memory", Ending::MemoryLimit }, { "asked", Ending::Cancelled } } };
+
+ChildProcessResult ReadReport(const std::string& line)
+{
+  std::istringstream stream(line);
+  std::string word;
+  int number = 0;
+  ChildProcessResult result;
+  stream >> word >> number >> result.ProcessorSeconds >> result.PeakMemory >> result.ProcessesLeft;
+  if (word == "not-started")
+  {
+    return NotStarted(number);
+  }
+  result.How = Ending::Signal;
+  result.Reason = "SIGKILL, Killed, together with its supervisor";
+  for (const EndingWord& known : EndingWords)
+  {
+    if (word == known.Word)
+    {
+      result.How = known.How;
+      result.Reason = result.How == Ending::Signal ? DescribeSignal(number) : std::string();
+    }
+  }
+  result.IsFileTooLarge = result.How == Ending::Signal && number == SIGXFSZ;
+  result.ExitStatus = result.How == Ending::Exited ? number : 0;
+  return result;
 }
 
 } // namespace
@@ -382,36 +315,25 @@ ChildProcessResult RunChildProcess(const ChildProcess& child)
   {
     return NotStarted("the folder \"" + child.WorkingDirectory.string() + "\" is missing", false);
   }
-  OutputLog output(child.OutputFile, child.OutputLimit);
-  OutputLog errors(child.ErrorFile, child.OutputLimit);
-  const std::vector<std::string> environment = MakeEnvironment(child);
-  const SpawnSettings settings(child.WorkingDirectory, output.GetWriteEnd(), errors.GetWriteEnd());
-  pid_t id = 0;
-  const int error = posix_spawn(&id, child.Arguments[0].c_str(), &settings.Actions,
-    &settings.Attributes, MakePointers(child.Arguments).data(), MakePointers(environment).data());
+  const std::filesystem::path supervisor = FindSolverProgram(Supervisor, {});
+  if (supervisor.empty())
+  {
+    return NotStarted(std::string(Supervisor) +
+        ", the program of PEMesh that keeps watch over solvers, is not beside pemesh nor in PATH",
+      false);
+  }
+  SupervisedProcess process(child);
+  const int error = process.Start(supervisor);
   if (error != 0)
   {
-    return NotStarted(std::strerror(error), error == ENOENT || error == ENOTDIR);
+    return NotStarted(error);
   }
-  RunningProcess process(id);
-  output.CloseWriteEnd();
-  errors.CloseWriteEnd();
-
-  ChildProcessResult result;
-  result.How = WaitForEnd(child, process, output, errors);
-  const int status = process.Finish();
-  output.Drain();
-  errors.Drain();
-  result.LastErrorLine = errors.LastLine();
-  if (result.How == Ending::Exited && WIFSIGNALED(status))
-  {
-    result.How = Ending::Signal;
-    const char* name = sigabbrev_np(WTERMSIG(status));
-    const char* words = sigdescr_np(WTERMSIG(status));
-    result.Reason =
-      name && words ? "SIG" + std::string(name) + ", " + words : std::to_string(WTERMSIG(status));
-  }
-  result.ExitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  const bool isCancelled = process.WaitForEnd();
+  process.Finish();
+  ChildProcessResult result = ReadReport(process.LastWords());
+  // A program that ends by itself while it is being cancelled has been cancelled.
+  result.How = isCancelled && result.How != Ending::NotStarted ? Ending::Cancelled : result.How;
+  result.LastErrorLine = process.LastErrorLine();
   return result;
 }
 

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
@@ -80,15 +82,55 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
   return numbers;
 }
 
-vtkSmartPointer<vtkDoubleArray> NeedNumbers(const std::filesystem::path& path, vtkIdType expected)
+/**
+ * A pipe would be waited for without end, a link may lead anywhere, and a file of many gigabytes
+ * would be read into memory only to be refused.
+ */
+void CheckFile(const std::filesystem::path& path, vtkIdType expected)
 {
+  const std::string name = "The file \"" + path.filename().string() + "\" of the solver ";
   std::error_code error;
-  if (!std::filesystem::exists(path, error))
+  const std::filesystem::file_status status = std::filesystem::symlink_status(path, error);
+  if (!std::filesystem::exists(status))
   {
     throw std::runtime_error(
       "The solver has not written the file \"" + path.filename().string() + "\".");
   }
-  return ReadNumbers(path, expected);
+  if (!std::filesystem::is_regular_file(status))
+  {
+    const bool isFolder = std::filesystem::is_directory(status);
+    const bool isLink = std::filesystem::is_symlink(status);
+    throw std::runtime_error(name + "is a " +
+      (isFolder    ? "folder"
+          : isLink ? "link"
+                   : "special file") +
+      ", not a file.");
+  }
+  constexpr std::uintmax_t longestNumber = 64;
+  constexpr std::uintmax_t room = 1 << 20; // for comments on one's own digits
+  const std::uintmax_t most = room + longestNumber * static_cast<std::uintmax_t>(expected);
+  const std::uintmax_t size = std::filesystem::file_size(path, error);
+  if (!error && size > most)
+  {
+    throw std::runtime_error(name + "has " + std::to_string(size) + " bytes, too many for " +
+      std::to_string(expected) + (expected == 1 ? " number." : " numbers."));
+  }
+}
+
+/** Null, with the fault told, where the file is no good. */
+vtkSmartPointer<vtkDoubleArray> TakeNumbers(
+  const std::filesystem::path& path, vtkIdType expected, std::vector<std::string>& faults)
+{
+  try
+  {
+    CheckFile(path, expected);
+    return ReadNumbers(path, expected);
+  }
+  catch (const std::exception& fault)
+  {
+    faults.emplace_back(fault.what());
+    return nullptr;
+  }
 }
 
 } // namespace
@@ -109,17 +151,19 @@ SolverAnswer ReadSolverAnswer(const SolverDescription& description,
   const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices)
 {
   SolverAnswer answer;
-  answer.Solution = NeedNumbers(AnswerFile(folder, stem, SolutionSuffix), vertices);
+  answer.Solution = TakeNumbers(AnswerFile(folder, stem, SolutionSuffix), vertices, answer.Faults);
   const std::filesystem::path truth = AnswerFile(folder, stem, GroundTruthSuffix);
   std::error_code error;
-  if (std::filesystem::exists(truth, error))
+  if (std::filesystem::exists(std::filesystem::symlink_status(truth, error)))
   {
-    answer.GroundTruth = ReadNumbers(truth, vertices);
+    answer.GroundTruth = TakeNumbers(truth, vertices, answer.Faults);
   }
   for (const SolverPerformance& performance : description.Performances)
   {
-    const auto number = NeedNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), 1);
-    answer.Performances.push_back(number->GetValue(0));
+    const auto number =
+      TakeNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), 1, answer.Faults);
+    answer.Performances.push_back(
+      number ? number->GetValue(0) : std::numeric_limits<double>::quiet_NaN());
   }
   return answer;
 }

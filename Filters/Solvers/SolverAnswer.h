@@ -22,14 +22,15 @@ struct SolverAnswer
 {
   vtkSmartPointer<vtkDoubleArray> Solution;
   vtkSmartPointer<vtkDoubleArray> GroundTruth; // null where the solver does not know it
-  std::vector<double> Performances;            // in the order of the description
+  std::vector<double> Performances;            // in the order of the description; NaN if missing
+  std::vector<std::string> Faults;             // a sentence for every file that is no good
 };
 
 /** The files that the contract names for `stem`, whether they exist or not. */
 std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& description,
   const std::filesystem::path& folder, const std::string& stem);
 
-/** Throws std::runtime_error naming the file and what is wrong with it. */
+/** Takes all that is good and says in the faults what is not. */
 SolverAnswer ReadSolverAnswer(const SolverDescription& description,
   const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices);
 

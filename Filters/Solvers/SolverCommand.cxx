@@ -3,12 +3,15 @@
 #include "SolverCommand.h"
 
 #include "ChildProcess.h"
+#include "ContentDigest.h"
 #include "SolverDescription.h"
 #include "TextFile.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <stdexcept>
+#include <string_view>
 
 #include <dlfcn.h>
 #include <unistd.h>
@@ -136,6 +139,51 @@ std::filesystem::path FindSolverProgram(
   return {};
 }
 
+std::string SolverDescriptionFolder(const SolverDescription& description)
+{
+  const std::filesystem::path& folder = description.Folder;
+  std::error_code error;
+  return std::filesystem::absolute(folder.empty() ? "." : folder, error)
+    .lexically_normal()
+    .string();
+}
+
+std::string SolverFingerprint(const SolverDescription& description)
+{
+  ContentDigest digest;
+  digest.Add(description.Name);
+  digest.Add(description.MeshFormat);
+  for (const SolverOption& option : description.Options)
+  {
+    digest.Add(option.Name + '=' + option.Default);
+  }
+  for (const SolverPerformance& performance : description.Performances)
+  {
+    digest.Add(performance.Name + (performance.Measured ? " measured" : ""));
+  }
+  for (const std::string& argument : description.Command)
+  {
+    digest.Add(argument);
+    // The size and the time of a program stand for its bytes: an interpreter has millions.
+    constexpr std::string_view folder = "{folder}/";
+    const bool isScript = argument.rfind(folder, 0) == 0;
+    std::filesystem::path file;
+    if (isScript || &argument == &description.Command.front())
+    {
+      file = isScript ? description.Folder / argument.substr(folder.size())
+                      : FindSolverProgram(argument, description.Folder);
+    }
+    std::error_code error;
+    const std::uintmax_t size = std::filesystem::file_size(file, error);
+    if (!file.empty() && !error)
+    {
+      const auto time = std::filesystem::last_write_time(file, error).time_since_epoch().count();
+      digest.Add(std::to_string(size) + ' ' + std::to_string(time));
+    }
+  }
+  return digest.Finish();
+}
+
 std::string AskSolverVersion(const SolverDescription& description)
 {
   if (description.VersionCommand.empty())
@@ -151,7 +199,8 @@ std::string AskSolverVersion(const SolverDescription& description)
   try
   {
     ChildProcess child;
-    child.Arguments = ExpandCommand(description.VersionCommand, {});
+    child.Arguments = ExpandCommand(
+      description.VersionCommand, { { "folder", SolverDescriptionFolder(description) } });
     child.Arguments[0] = FindSolverProgram(child.Arguments[0], description.Folder);
     child.WorkingDirectory = folder;
     child.OutputFile = std::filesystem::path(folder) / "version";

@@ -38,6 +38,16 @@ PEMESHFILTERSSOLVERS_EXPORT std::filesystem::path FindSolverProgram(
  */
 PEMESHFILTERSSOLVERS_EXPORT std::string AskSolverVersion(const SolverDescription& description);
 
+/** The placeholder {folder}: an absolute path, because solvers run in folders of their own. */
+PEMESHFILTERSSOLVERS_EXPORT std::string SolverDescriptionFolder(
+  const SolverDescription& description);
+
+/**
+ * Changes where the answers of the solver may change: with its description (limits and labels
+ * aside), and with the programs and scripts that its command names.
+ */
+PEMESHFILTERSSOLVERS_EXPORT std::string SolverFingerprint(const SolverDescription& description);
+
 } // namespace pemesh
 
 #endif

@@ -46,14 +46,20 @@ struct SolverDescription
   /**
    * The argument list, program first; no shell sees it. Placeholders: {mesh} the mesh file, {node}
    * and {ele} the two files of the format node, {output} the output folder, {stem} the name that
-   * the files written must begin with, {threads}, and every option by its name ({order},
-   * {problem}, …). "{{" and "}}" are braces.
+   * the files written must begin with, {threads}, {folder} that of the description, and every
+   * option by its name ({order}, {problem}, …). "{{" and "}}" are braces.
    */
   std::vector<std::string> Command;
   std::string MeshFormat = "off"; // a name of pemesh::MeshFormats()
   std::vector<SolverOption> Options;
   std::vector<SolverPerformance> Performances;
-  double TimeLimit = 0.0; // seconds, 0 = none
+  ///@{
+  /** For one mesh; 0 = none. */
+  double TimeLimit = 0.0;      // seconds
+  double ProcessorLimit = 0.0; // seconds of processors, of all its processes
+  double MemoryLimit = 0.0;    // MiB resident, of all its processes together
+  double DiskLimit = 4096.0;   // MiB, of each file and of all files in the folder of the run
+  ///@}
   std::vector<std::string> VersionCommand;
   std::filesystem::path Folder; // of the description: programs named by a relative path begin here
   bool operator==(const SolverDescription&) const = default;

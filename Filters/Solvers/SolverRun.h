@@ -25,6 +25,9 @@ struct SolverRun
   std::map<std::string, std::string> Options; // every option with its value
   std::filesystem::path WorkDirectory;        // empty: a temporary folder
   int Threads = 1;
+  int Retries = 0;
+  bool ReusesAnswer = false;                // of an earlier run that was asked the same
+  std::string Version;                      // of the solver: part of the question
   std::function<bool(double seconds)> GoOn; // false cancels
 };
 
@@ -32,7 +35,7 @@ struct SolverOutcome
 {
   std::string Status; // "ok" or what went wrong, in a word
   std::string Message;
-  SolverAnswer Answer; // empty unless ok
+  SolverAnswer Answer; // what is good of it; empty unless ok or partial
 };
 
 /** Throws std::runtime_error where no mesh could ever be solved like this. */

@@ -97,6 +97,9 @@ void vtkPEMExternalSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n" << indent << "RunName: " << this->RunName << "\n";
   os << indent << "WorkDirectory: " << this->WorkDirectory << "\n";
   os << indent << "Threads: " << this->Threads << "\n";
+  os << indent << "Retries: " << this->Retries << "\n";
+  os << indent << "ReuseAnswers: " << this->ReuseAnswers << "\n";
+  os << indent << "Version: " << this->Version << "\n";
 }
 
 void vtkPEMExternalSolver::SetDescription(const pemesh::SolverDescription& description)
@@ -240,6 +243,20 @@ std::string vtkPEMExternalSolver::GetWorkDirectory() const
   return this->WorkDirectory;
 }
 
+void vtkPEMExternalSolver::SetVersion(const std::string& version)
+{
+  if (this->Version != version)
+  {
+    this->Version = version;
+    this->Modified();
+  }
+}
+
+std::string vtkPEMExternalSolver::GetVersion() const
+{
+  return this->Version;
+}
+
 void vtkPEMExternalSolver::SetTimeLimit(double seconds)
 {
   const double limit = std::isfinite(seconds) && seconds > 0.0 ? seconds : 0.0;
@@ -276,6 +293,9 @@ int vtkPEMExternalSolver::RequestData(
   run.Description = this->Implementation->Description;
   run.WorkDirectory = this->WorkDirectory;
   run.Threads = this->Threads;
+  run.Retries = this->Retries;
+  run.ReusesAnswer = this->ReuseAnswers;
+  run.Version = this->Version;
   try
   {
     run.Options = this->Implementation->GetOptionValues();

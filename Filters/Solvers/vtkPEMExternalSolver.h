@@ -15,14 +15,15 @@
  * "SolverStatusMessage", because "Status" is that of the mesh, which a failed run does not change.
  *
  * Status words of a run: ok; not-found (no such program, or it cannot be executed); crashed (ended
- * by a signal); exit-status (not 0); time-out; bad-output (a file missing, numbers missing, too
- * many, or not finite); cancelled; no-mesh (the input has failed before); not-written (the work
+ * by a signal); exit-status (not 0); time-out, cpu-limit, memory-limit, disk-limit (stopped);
+ * bad-output (a file missing, numbers missing, too many, or not finite), partial where some files
+ * are good, which are kept; cancelled; no-mesh (the input has failed before); not-written (the work
  * folder cannot be written).
  *
  * Files: each execution makes the folder WorkDirectory/<mesh>, where <mesh> is the field text
  * "Mesh" of the input or "mesh", writes the mesh there and runs the command in it. What the solver
- * writes stays, and so do stdout.log, stderr.log and command.txt. The contract with the solver is
- * in SolverDescription.h.
+ * writes stays, and so do stdout.log, stderr.log, command.txt and, after a good run, solved.txt.
+ * The contract with the solver is in SolverDescription.h.
  *
  * Wrong configuration (an error, and 0 returned): no command, an unknown placeholder, option or
  * mesh format, an option value that is not of its type.
@@ -120,6 +121,32 @@ public:
   ///@}
 
   ///@{
+  /**
+   * How often a mesh is tried again after a run that was not ok, though it might have been: that
+   * crashed, ran out of a limit, or left a bad answer. Default 0.
+   */
+  vtkSetClampMacro(Retries, int, 0, VTK_INT_MAX);
+  vtkGetMacro(Retries, int);
+  ///@}
+
+  ///@{
+  /**
+   * Whether an answer that lies in the folder of the run is taken, and nothing run, where it was
+   * given to the same question: same bytes of the mesh file, description, options, program and
+   * version. A file solved.txt in the folder says so. Default false.
+   */
+  vtkSetMacro(ReuseAnswers, bool);
+  vtkGetMacro(ReuseAnswers, bool);
+  vtkBooleanMacro(ReuseAnswers, bool);
+  ///@}
+
+  ///@{
+  /** What the solver says of its version: part of the question above. Default empty. */
+  void SetVersion(const std::string& version);
+  std::string GetVersion() const;
+  ///@}
+
+  ///@{
   /** The names of the two texts: "<run>_Status", "<run>_StatusMessage". */
   std::string GetStatusName() const;
   std::string GetStatusMessageName() const;
@@ -142,7 +169,10 @@ private:
   std::unique_ptr<Internals> Implementation;
   std::string RunName;
   std::string WorkDirectory;
+  std::string Version;
   int Threads = 1;
+  int Retries = 0;
+  bool ReuseAnswers = false;
 };
 
 #endif

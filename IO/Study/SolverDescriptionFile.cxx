@@ -18,10 +18,18 @@ namespace fs = std::filesystem;
 
 /** Placeholders of a command that every solver has. */
 const std::vector<std::string> CommonPlaceholders{ "mesh", "node", "ele", "output", "stem",
-  "threads" };
+  "threads", "folder" };
 
 /** Keys of a run in a study, which no option can be called. */
-const std::vector<std::string> RunKeys{ "solver", "name", "time-limit", "version" };
+std::vector<std::string> RunKeys()
+{
+  std::vector<std::string> keys{ "solver", "name", "version" };
+  for (const SolverLimit& limit : SolverLimits())
+  {
+    keys.emplace_back(limit.Key);
+  }
+  return keys;
+}
 
 // --- options -------------------------------------------------------------------------------------
 
@@ -78,9 +86,9 @@ FieldTable<SolverOption> OptionFields()
   };
   table.Finish = [](const DocumentPlace& place, SolverOption& option)
   {
-    for (const std::vector<std::string>* reserved : { &CommonPlaceholders, &RunKeys })
+    for (const std::vector<std::string>& reserved : { CommonPlaceholders, RunKeys() })
     {
-      if (std::find(reserved->begin(), reserved->end(), option.Name) != reserved->end())
+      if (std::find(reserved.begin(), reserved.end(), option.Name) != reserved.end())
       {
         place.Member("name").Fail(
           "is \"" + option.Name + "\", which has a meaning already: call the option otherwise.");
@@ -224,11 +232,14 @@ const FieldTable<SolverDescription>& DescriptionFields()
       ListField("options", &SolverDescription::Options, OptionFields(), "What a run can choose."),
       ListField("performances", &SolverDescription::Performances, PerformanceFields(),
         "The numbers it writes for each mesh."),
-      NumberField("time-limit", &SolverDescription::TimeLimit, { .Least = 0.0 },
-        "Seconds a mesh, 0 for none."),
       ArgumentsField("version-command", &SolverDescription::VersionCommand,
         "The argument list that makes it print its version.")
     };
+    for (const SolverLimit& limit : SolverLimits())
+    {
+      result.Fields.push_back(
+        NumberField(limit.Key, limit.OfDescription, { .Least = 0.0 }, limit.Doc));
+    }
     result.Finish = FinishDescription;
     return result;
   }();
@@ -242,7 +253,8 @@ void CompleteOptions(
   StudySolver& run, const SolverDescription& description, const DocumentPlace& place)
 {
   std::vector<std::string> known = NamesOf(description.Options);
-  known.insert(known.end(), RunKeys.begin(), RunKeys.end());
+  const std::vector<std::string> runKeys = RunKeys();
+  known.insert(known.end(), runKeys.begin(), runKeys.end());
   for (const auto& [key, value] : run.Options)
   {
     if (std::find(known.begin(), known.end(), key) == known.end())
@@ -282,6 +294,20 @@ std::string ShowFolders(const std::vector<fs::path>& folders)
 }
 
 } // namespace
+
+const std::vector<SolverLimit>& SolverLimits()
+{
+  static const std::vector<SolverLimit> limits{ { "time-limit", "Seconds for a mesh, 0 for any.",
+                                                  &SolverDescription::TimeLimit,
+                                                  &StudySolver::TimeLimit },
+    { "cpu-limit", "Seconds of processors for a mesh, 0 for any.",
+      &SolverDescription::ProcessorLimit, &StudySolver::ProcessorLimit },
+    { "memory-limit", "MiB of memory of all its processes together, 0 for any.",
+      &SolverDescription::MemoryLimit, &StudySolver::MemoryLimit },
+    { "disk-limit", "MiB that it may write for a mesh, 0 for any.", &SolverDescription::DiskLimit,
+      &StudySolver::DiskLimit } };
+  return limits;
+}
 
 SolverDescription ParseSolverDescription(std::string_view text, const fs::path& path)
 {
@@ -387,9 +413,9 @@ std::vector<SolverDescription> FindStudySolvers(Study& study, const std::vector<
       DocumentPlace(study.Name).Member("solvers").Item(descriptions.size());
     SolverDescription description = FindSolver(run.Solver, study.Folder, folders);
     CompleteOptions(run, description, place);
-    if (!run.TimeLimit)
+    for (const SolverLimit& limit : SolverLimits())
     {
-      run.TimeLimit = description.TimeLimit;
+      run.*limit.OfRun = (run.*limit.OfRun).value_or(description.*limit.OfDescription);
     }
     descriptions.push_back(std::move(description));
   }

@@ -12,12 +12,23 @@
 #include "pemeshIOStudyModule.h" // For export macro
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace pemesh
 {
+
+/** A limit of the run of a solver on one mesh: a key of descriptions and of the runs of a study. */
+struct SolverLimit
+{
+  const char* Key;
+  const char* Doc;
+  double SolverDescription::*OfDescription;
+  std::optional<double> StudySolver::*OfRun;
+};
+PEMESHIOSTUDY_EXPORT const std::vector<SolverLimit>& SolverLimits();
 
 /** Reads a description; its Folder becomes that of the file. */
 PEMESHIOSTUDY_EXPORT SolverDescription ReadSolverDescription(const std::filesystem::path& path);
@@ -54,8 +65,8 @@ PEMESHIOSTUDY_EXPORT SolverDescription FindSolver(const std::string& nameOrFile,
 
 /**
  * The description of every run of the study, in order. Checks the options of the runs against it
- * (unknown name, wrong type) and writes the defaults of those not given, and the time limit, into
- * the study.
+ * (unknown name, wrong type) and writes the defaults of those not given, and the limits, into the
+ * study.
  */
 PEMESHIOSTUDY_EXPORT std::vector<SolverDescription> FindStudySolvers(
   Study& study, const std::vector<std::filesystem::path>& folders = SolverFolders());

@@ -151,8 +151,14 @@ struct StudySolver
   std::string Solver; // name of a description, or path of a .json file (relative to the study)
   std::string Name;   // of the run: unique in the study, leads its columns
   std::vector<std::pair<std::string, StudyScalar>> Options;
-  std::optional<double> TimeLimit; // seconds, 0 = none; unset = the description's
-  std::string Version;             // what the solver said of itself, recorded in the results
+  ///@{
+  /** See SolverDescription.h; unset = the description's. */
+  std::optional<double> TimeLimit;
+  std::optional<double> ProcessorLimit;
+  std::optional<double> MemoryLimit;
+  std::optional<double> DiskLimit;
+  ///@}
+  std::string Version; // what the solver said of itself, recorded in the results
   bool operator==(const StudySolver&) const = default;
 };
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "SolverDescriptionFile.h"
 #include "StudyFields.h"
 
 #include <set>
@@ -10,14 +11,14 @@ namespace pemesh
 namespace
 {
 
-Field<StudySolver> TimeLimitField()
+Field<StudySolver> LimitField(const SolverLimit& limit)
 {
-  return { "time-limit", "number at least 0",
-    "Seconds a mesh, 0 for none; by default the solver's.",
-    [](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
-    { solver.TimeLimit = ReadNumber(json, place, { .Least = 0.0 }); },
-    [](const StudySolver& solver)
-    { return solver.TimeLimit ? std::optional(JsonNumber(*solver.TimeLimit)) : std::nullopt; } };
+  const auto member = limit.OfRun;
+  return { limit.Key, "number at least 0", limit.Doc + std::string(" By default the solver's."),
+    [member](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
+    { solver.*member = ReadNumber(json, place, { .Least = 0.0 }); },
+    [member](const StudySolver& solver)
+    { return solver.*member ? std::optional(JsonNumber(*(solver.*member))) : std::nullopt; } };
 }
 
 /** The order of a run, for its name, or "". */
@@ -67,8 +68,12 @@ FieldTable<StudySolver> SolverFields()
                      "Name of a solver, or the .json file that describes one. Further keys are "
                      "the solver's own options.")
                      .Required(),
-    std::move(name), TimeLimitField(),
+    std::move(name),
     TextField("version", &StudySolver::Version, "What the solver said of itself when it ran.") };
+  for (const SolverLimit& limit : SolverLimits())
+  {
+    table.Fields.push_back(LimitField(limit));
+  }
   table.ReadOther = [](const std::string& key, const JsonValue& json, const DocumentPlace& place,
                       StudySolver& solver)
   {

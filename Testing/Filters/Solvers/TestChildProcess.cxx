@@ -4,12 +4,16 @@
 
 #include "TestMeshes.h"
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <thread>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 
@@ -54,6 +58,18 @@ bool IsGone(pid_t process)
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   return false;
+}
+
+/** How many processes a file names, all of which must be gone. */
+int CountGone(const std::filesystem::path& path)
+{
+  std::istringstream pids(ReadBytes(path));
+  int count = 0;
+  for (pid_t pid = 0; pids >> pid; ++count)
+  {
+    EXPECT_TRUE(IsGone(pid)) << pid;
+  }
+  return count;
 }
 
 } // namespace
@@ -160,13 +176,7 @@ TEST(ChildProcess, EndsAtTheTimeLimitWithAllItsChildren)
   EXPECT_GE(watch.Seconds(), 1.0);
   EXPECT_EQ(result.How, Ending::TimeLimit);
   EXPECT_EQ(result.LastErrorLine, "late");
-  std::istringstream pids(ReadBytes(folder / "out"));
-  int count = 0;
-  for (pid_t pid = 0; pids >> pid; ++count)
-  {
-    EXPECT_TRUE(IsGone(pid));
-  }
-  EXPECT_EQ(count, 2);
+  EXPECT_EQ(CountGone(folder / "out"), 2);
 }
 
 TEST(ChildProcess, EndsEvenIfItDoesNotListen)
@@ -228,6 +238,99 @@ TEST(ChildProcess, CutsLongLogsAndKeepsTheLastLine)
   EXPECT_THAT(text, testing::EndsWith("only its beginning is kept.]\n"));
   EXPECT_LT(text.size(), 1100U);
   EXPECT_EQ(result.LastErrorLine, "e 1999");
+}
+
+TEST(ChildProcess, EndsWhatHidesInASessionOfItsOwn)
+{
+  const std::filesystem::path folder = TestFolder();
+  // The first is deaf to SIGTERM, the second has lost its parent, the third is of the group.
+  const std::string deaf = "trap \"\" TERM HUP; echo $$; while :; do sleep 0.1; done";
+  ChildProcess child = Shell(folder,
+    "setsid sh -c '" + deaf + "' & (setsid sh -c 'echo $$; sleep 60' &); sleep 60 & echo $!; wait");
+  child.TimeLimit = 1.0;
+  EXPECT_EQ(RunChildProcess(child).How, Ending::TimeLimit);
+  EXPECT_EQ(CountGone(folder / "out"), 3);
+  child = Shell(folder, "setsid sh -c '" + deaf + "' & sleep 0.5; exit 0");
+  const ChildProcessResult result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::Exited);
+  EXPECT_GE(result.ProcessesLeft, 1);
+  EXPECT_EQ(CountGone(folder / "out"), 1);
+}
+
+TEST(ChildProcess, NothingGoesOnWhenThisProgramIsKilled)
+{
+  const std::filesystem::path folder = TestFolder();
+  const pid_t user = fork();
+  if (user == 0)
+  {
+    RunChildProcess(Shell(folder,
+      "setsid sleep 60 & echo $!; echo $$; trap '' TERM; "
+      "while :; do sleep 0.1; done"));
+    _exit(0);
+  }
+  const auto hasStarted = [&]
+  {
+    const std::string pids = ReadBytes(folder / "out");
+    return std::count(pids.begin(), pids.end(), '\n') == 2;
+  };
+  for (int i = 0; i < 500 && !hasStarted(); ++i)
+  {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  kill(user, SIGKILL);
+  waitpid(user, nullptr, 0);
+  EXPECT_EQ(CountGone(folder / "out"), 2);
+}
+
+TEST(ChildProcess, ASolverThatKillsItsSupervisorEndsToo)
+{
+  const std::filesystem::path folder = TestFolder();
+  const ChildProcessResult result =
+    RunChildProcess(Shell(folder, "sleep 60 & echo $!; echo $$; kill -KILL $PPID; sleep 60"));
+  EXPECT_EQ(result.How, Ending::Signal);
+  EXPECT_THAT(result.Reason, testing::HasSubstr("supervisor"));
+  EXPECT_EQ(CountGone(folder / "out"), 2);
+}
+
+TEST(ChildProcess, KeepsTheLimitOfProcessorTime)
+{
+  // Two at a time: of all processes together.
+  ChildProcess child = Shell(TestFolder(), "(while :; do :; done) & while :; do :; done");
+  child.ProcessorLimit = 0.5;
+  child.TimeLimit = 60.0;
+  const ChildProcessResult result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::ProcessorLimit);
+  EXPECT_GE(result.ProcessorSeconds, 0.5);
+  EXPECT_LT(result.ProcessorSeconds, 5.0);
+}
+
+TEST(ChildProcess, KeepsTheLimitOfMemory)
+{
+  constexpr double mebi = 1 << 20;
+  // tail keeps the last line, which has no end, in memory.
+  ChildProcess child = Shell(TestFolder(), "head -c 3000000000 /dev/zero | tail -n 1 | wc -c");
+  child.MemoryLimit = 100.0 * mebi;
+  child.TimeLimit = 60.0;
+  ChildProcessResult result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::MemoryLimit);
+  EXPECT_GE(result.PeakMemory, 100.0 * mebi);
+  child = Shell(TestFolder(), "head -c 50000000 /dev/zero | tail -n 1 | wc -c");
+  child.MemoryLimit = 500.0 * mebi;
+  result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::Exited);
+  EXPECT_GE(result.PeakMemory, 50000000.0);
+  EXPECT_LT(result.PeakMemory, 100.0 * mebi);
+}
+
+TEST(ChildProcess, KeepsTheLimitOfFiles)
+{
+  const std::filesystem::path folder = TestFolder();
+  ChildProcess child = Shell(folder, "exec head -c 5000000 /dev/zero > large");
+  child.FileLimit = 1000000.0;
+  const ChildProcessResult result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::Signal);
+  EXPECT_TRUE(result.IsFileTooLarge);
+  EXPECT_EQ(std::filesystem::file_size(folder / "large"), 1000000U);
 }
 
 TEST(ChildProcess, ManyThreadsAtOnce)

@@ -26,7 +26,9 @@ class BadSolver : public testing::TestWithParam<BadRun>
 TEST_P(BadSolver, IsTold)
 {
   const auto solver = MakeSolver(GetParam().Mode);
-  ExpectFailed(solver, GetParam().Status, GetParam().Message);
+  const std::string status = GetParam().Status;
+  status == "partial" ? ExpectTold(solver, status, GetParam().Message)
+                      : ExpectFailed(solver, status, GetParam().Message);
   ExpectSameMesh(solver->GetOutput(), MakeHouse());
   EXPECT_EQ(GetCaseStatus(solver->GetOutput()), "ok"); // the mesh is good
 }
@@ -37,25 +39,67 @@ INSTANTIATE_TEST_SUITE_P(Modes, BadSolver,
     BadRun{ "silent-status", "exit-status", "status 4; it wrote nothing" },
     BadRun{ "signal", "crashed", "SIGSEGV, Segmentation fault; it last wrote: about to fall" },
     BadRun{
-      "few", "bad-output", "\"house-solution.txt\" of the solver has 5 numbers and should have 6" },
-    BadRun{ "many", "bad-output", "has 7 numbers and should have 6" },
-    BadRun{ "nan", "bad-output", "\"nan\" in line 2" },
-    BadRun{ "infinite", "bad-output", "\"house-condition-number.txt\" of the solver has \"inf\"" },
-    BadRun{
-      "word", "bad-output", "\"house-ground-truth.txt\" of the solver has \"0,5\" in line 3" },
-    BadRun{ "rubbish", "bad-output", "\"????%s\" in line 1" },
-    BadRun{ "empty", "bad-output", "has 0 numbers and should have 6" },
-    BadRun{ "folder", "bad-output", "is a folder" },
+      "few", "partial", "\"house-solution.txt\" of the solver has 5 numbers and should have 6" },
+    BadRun{ "many", "partial", "has 7 numbers and should have 6" },
+    BadRun{ "nan", "partial", "\"nan\" in line 2" },
+    BadRun{ "infinite", "partial", "\"house-condition-number.txt\" of the solver has \"inf\"" },
+    BadRun{ "word", "partial", "\"house-ground-truth.txt\" of the solver has \"0,5\" in line 3" },
+    BadRun{ "rubbish", "partial", "\"????%s\" in line 1" },
+    BadRun{ "empty", "partial", "has 0 numbers and should have 6" },
+    BadRun{ "folder", "partial", "is a folder" },
     BadRun{ "no-files", "bad-output", "not written the file \"house-solution.txt\"" },
-    BadRun{ "no-performance", "bad-output", "not written the file \"house-condition-number.txt\"" },
-    BadRun{ "two-numbers", "bad-output", "has 2 numbers and should have 1." },
-    BadRun{ "no-number", "bad-output", "has 0 numbers and should have 1." }),
+    BadRun{ "no-performance", "partial", "not written the file \"house-condition-number.txt\"" },
+    BadRun{ "two-numbers", "partial", "has 2 numbers and should have 1." },
+    BadRun{ "no-number", "partial", "has 0 numbers and should have 1." },
+    BadRun{ "link", "partial", "\"house-solution.txt\" of the solver is a link" },
+    BadRun{ "fifo", "partial", "is a special file" },
+    BadRun{ "huge", "partial", "\"house-solution.txt\" of the solver has 3145728 bytes, too many" },
+    BadRun{ "wrong-mesh", "bad-output", "It has written \"other-condition-number.txt\"" },
+    BadRun{ "late", "bad-output", "that it had left running were stopped" },
+    BadRun{ "no-folder", "bad-output", "It has removed its own folder." }),
   [](const auto& test)
   {
     std::string name = test.param.Mode;
     std::replace(name.begin(), name.end(), '-', '_');
     return name;
   });
+
+TEST(ExternalSolverFailures, WhatIsGoodOfAnAnswerIsKept)
+{
+  const auto solver = MakeSolver("no-performance");
+  ExpectTold(solver, "partial", "The rest of its answer is kept.");
+  EXPECT_EQ(PointValues(solver->GetOutput(), "run_Solution").size(), 6U);
+  EXPECT_EQ(GetFieldNumber(solver->GetOutput(), "run_solve-seconds"), 0.25);
+  EXPECT_TRUE(std::isnan(GetFieldNumber(solver->GetOutput(), "run_condition-number")));
+  solver->SetOption("mode", "few");
+  ExpectTold(solver, "partial", "5 numbers");
+  EXPECT_EQ(PointValues(solver->GetOutput(), "run_GroundTruth").size(), 6U);
+  EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("run_Solution"));
+  EXPECT_EQ(GetFieldNumber(solver->GetOutput(), "run_condition-number"), 4.5);
+}
+
+TEST(ExternalSolverFailures, TheDiskIsNotFilled)
+{
+  SolverDescription description = FakeSolver("big-file");
+  description.DiskLimit = 8.0;
+  description.TimeLimit = 60.0;
+  const auto solver = MakeSolver("ok");
+  solver->SetDescription(description);
+  ExpectFailed(solver, "disk-limit", "8 MiB");
+  solver->SetOption("mode", "many-files");
+  ExpectFailed(solver, "disk-limit", "8 MiB");
+}
+
+TEST(ExternalSolverFailures, AFolderThatIsALinkIsNotWrittenInto)
+{
+  const auto solver = MakeSolver("ok");
+  const std::filesystem::path root = solver->GetWorkDirectory();
+  std::filesystem::create_directories(root / "precious");
+  WriteBytes(root / "precious" / "house-solution.txt", "mine");
+  std::filesystem::create_directory_symlink(root / "precious", root / "house");
+  ExpectFailed(solver, "not-written", "is a link");
+  EXPECT_EQ(ReadBytes(root / "precious" / "house-solution.txt"), "mine");
+}
 
 TEST(ExternalSolverFailures, AMissingProgram)
 {

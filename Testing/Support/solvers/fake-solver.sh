@@ -49,6 +49,14 @@ case $mode in
   no-performance) write_answer; rm "$base-condition-number.txt" ;;
   two-numbers) write_answer; echo "1 2" > "$base-condition-number.txt" ;;
   no-number) write_answer; : > "$base-condition-number.txt" ;;
+  link) write_answer; mv "$base-solution.txt" "$output/elsewhere"; ln -s elsewhere "$base-solution.txt" ;;
+  fifo) write_answer; rm "$base-solution.txt"; mkfifo "$base-solution.txt" ;;
+  huge) write_answer; head -c 3145728 /dev/zero | tr '\000' '1' > "$base-solution.txt" ;;
+  wrong-mesh) stem=other; base=$output/$stem; write_answer ;;
+  late) (sleep 5; write_answer) & ;;
+  no-folder) write_answer; rm -r "$output" ;;
+  big-file) exec head -c 100000000 /dev/zero > "$output/matrix" ;;
+  many-files) i=0; while [ $i -lt 60 ]; do head -c 2000000 /dev/zero > "$output/part$i"; sleep 0.05; i=$((i + 1)); done ;;
   flood) write_answer; i=0; while [ $i -lt 3000 ]; do echo "$i: 0123456789012345678901234567890"; i=$((i + 1)); done ;;
   arguments) write_answer; printf '%s\n' "$@" > "$output/arguments.txt" ;;
   environment) write_answer; env > "$output/environment.txt"; pwd > "$output/folder.txt" ;;
