@@ -114,6 +114,10 @@ private:
 
 std::string WhyRefused(std::size_t predictors, std::size_t rows, std::size_t families)
 {
+  if (rows < 2)
+  {
+    return "Fewer than two rows have all values.";
+  }
   if (predictors == 0)
   {
     return "No predictor varies: there is nothing to predict from.";

@@ -129,12 +129,12 @@ TrendForm FindTrendForm(std::span<const double> x, std::span<const double> y)
     const double spread = SpreadOf(*v);
     const double mean = kind.LogY ? std::exp(MeanOf(*v)) : 1.0; // geometric, as Box and Cox ask
     const double distance = mean * spread * std::sqrt(std::max(0.0, (1.0 - r) * (1.0 + r)));
-    if (distance < least && r * r >= NamedFit)
+    if (r * r >= NamedFit && distance < least)
     {
       const double slope = r * spread / SpreadOf(*u);
       form = { kind.Name, slope * (kind.LogY ? 1.0 : unitY) / (kind.LogX ? 1.0 : unitX), r * r };
+      least = distance;
     }
-    least = std::min(least, distance);
   }
   return form;
 }

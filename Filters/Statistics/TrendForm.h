@@ -38,11 +38,11 @@ struct TrendForm
 };
 
 /**
- * The form that comes nearest, by least squares, among those whose logarithms exist (all values
- * positive). Fits of y and of log y are compared as Box and Cox do: residuals of log y count times
- * the geometric mean of y. A form is named from R^2 = 0.9 on; else the relation is "monotone" if no
- * two pairs contradict each other or |Spearman| >= 0.7, else "none". "undefined" for fewer than
- * three pairs, a constant sample and infinite values. Samples hold no NaN.
+ * Of the forms whose logarithms exist (all values positive) and whose R^2 is at least 0.9, the one
+ * that comes nearest by least squares. Fits of y and of log y are compared as Box and Cox do:
+ * residuals of log y count times the geometric mean of y. Where there is none the relation is
+ * "monotone" if no two pairs contradict each other or |Spearman| >= 0.7, else "none". "undefined"
+ * for fewer than three pairs, a constant sample and infinite values. Samples hold no NaN.
  *
  * Reference: G. E. P. Box, D. R. Cox, An analysis of transformations, J. R. Stat. Soc. B 26 (1964)
  * 211-252.

@@ -142,7 +142,8 @@ std::string Heading(const Ranking& ranking, vtkTable* pairs)
   const vtkIdType first = ranking.Metrics.front().Pair;
   const auto rows = pairs->GetValueByName(first, "N").ToLongLong();
   const auto families = pairs->GetValueByName(first, "Families").ToLongLong();
-  std::string text = ranking.Performance + " (" + std::to_string(rows) + " rows";
+  std::string text =
+    ranking.Performance + " (" + std::to_string(rows) + (rows == 1 ? " row" : " rows");
   text += pemesh::GetFieldText(pairs, "Rows") == "families"
     ? " of " + std::to_string(families) + " families"
     : std::string();

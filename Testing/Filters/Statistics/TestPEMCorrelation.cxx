@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -172,6 +173,11 @@ TEST(PEMCorrelation, IndependentRowsHavePValues)
   EXPECT_NEAR(result->GetValueByName(row, "P").ToDouble(), 2.0 / 40320, 1e-12);
   // Three pairs have a coefficient: those with the constant column are no tests.
   EXPECT_NEAR(result->GetValueByName(row, "PHolm").ToDouble(), 3 * 2.0 / 40320, 1e-12);
+  // The other two are equal: Holm counts two, Benjamini and Hochberg three in three.
+  const vtkIdType other = FindPair(result, "Area_mean", "vem_error");
+  const double p = result->GetValueByName(other, "P").ToDouble();
+  EXPECT_DOUBLE_EQ(result->GetValueByName(other, "PHolm").ToDouble(), std::min(1.0, 2 * p));
+  EXPECT_DOUBLE_EQ(result->GetValueByName(other, "PBenjaminiHochberg").ToDouble(), p);
   const vtkIdType constant = FindPair(result, "Area_max", "vem_error");
   EXPECT_TRUE(std::isnan(result->GetValueByName(constant, "P").ToDouble()));
 }

@@ -96,6 +96,29 @@ TEST(PEMFindings, AlongOneFamilyNothingIsClaimedThatCannotBe)
   EXPECT_THAT(text, testing::Not(HasSubstr(", p ")));
 }
 
+TEST(PEMFindings, OneRowAndInfiniteValuesAreSentences)
+{
+  const auto text = [](const Numbers& metric, const Numbers& error)
+  {
+    vtkNew<vtkTable> table;
+    AddColumn<vtkDoubleArray>(table, "A_min", metric);
+    AddColumn<vtkDoubleArray>(table, "run_e", error);
+    vtkNew<vtkPEMCorrelation> correlation;
+    correlation->SetInputData(table);
+    vtkNew<vtkPEMFindings> findings;
+    findings->SetInputConnection(0, correlation->GetOutputPort());
+    findings->SetInputData(1, table);
+    findings->Update();
+    return findings->GetText();
+  };
+  const std::string one = text({ 1 }, { 2 });
+  EXPECT_THAT(one, HasSubstr("run_e (1 row)"));
+  EXPECT_THAT(one, HasSubstr("A_min: undefined: fewer than two rows have both values."));
+  EXPECT_THAT(one, HasSubstr("No joint model: Fewer than two rows have all values."));
+  const std::string infinite = text({ 1, 2, 3, 4 }, { 1, 5, HUGE_VAL, -HUGE_VAL });
+  EXPECT_THAT(infinite, HasSubstr("1. A_min: weak negative; Spearman -0.2."));
+}
+
 TEST(PEMFindings, WrongInputsAreErrorsAndNoPerformanceIsASentence)
 {
   vtkNew<vtkTable> table = MakePooled(true);

@@ -9,6 +9,8 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <utility>
 
 namespace
 {
@@ -60,6 +62,79 @@ TEST(TrendForm, SurvivesNoiseOfTheKindItIsMeantFor)
     right += form.Name == "power-law" && std::fabs(form.Parameter + 1.9) < 0.2;
   }
   EXPECT_GE(right, 48);
+}
+
+/** R^2 of a straight line of the samples, and its sum of squared residuals. */
+std::pair<double, double> FitLine(const Sample& u, const Sample& v)
+{
+  const double r = brute::Pearson(u, v);
+  double mean = 0.0;
+  for (const double value : v)
+  {
+    mean += value / static_cast<double>(v.size());
+  }
+  double squares = 0.0;
+  for (const double value : v)
+  {
+    squares += (value - mean) * (value - mean);
+  }
+  return { r * r, squares * (1 - r * r) };
+}
+
+TEST(TrendForm, IsTheOneOfTheLargestLikelihood)
+{
+  // Box and Cox: -n/2 log RSS of y, and of log y less the sum of log y, its Jacobian.
+  std::mt19937_64 bits(12);
+  const auto uniform = [&] { return static_cast<double>(bits() >> 11) * 0x1p-53; };
+  const auto logarithm = [](double value) { return std::log(value); };
+  std::map<std::string, int> found;
+  for (int trial = 0; trial < 300; ++trial)
+  {
+    Sample x;
+    Sample y;
+    const double curvature = 3 * uniform();
+    const double noise = 0.3 * uniform();
+    for (int i = 0; i < 15; ++i)
+    {
+      x.push_back(1 + 0.2 * i);
+      const double grown = trial % 3 == 0 ? 1 + curvature * 0.2 * i
+        : trial % 3 == 1                  ? std::pow(x.back(), curvature)
+                                          : std::exp(curvature * 0.2 * i);
+      y.push_back(1e4 * grown * (1 + noise * (uniform() - 0.5)));
+    }
+    const Sample logX = Map(x, logarithm);
+    const Sample logY = Map(y, logarithm);
+    double jacobian = 0.0;
+    for (const double value : logY)
+    {
+      jacobian += value;
+    }
+    std::string best = "none";
+    double largest = -Infinity;
+    const auto consider = [&](const char* name, const Sample& u, const Sample& v, double shift)
+    {
+      const auto [fit, rest] = FitLine(u, v);
+      const double likelihood = -7.5 * std::log(rest) - shift;
+      if (fit >= 0.9 && likelihood > largest)
+      {
+        largest = likelihood;
+        best = name;
+      }
+    };
+    consider("linear", x, y, 0.0);
+    consider("power-law", logX, logY, jacobian);
+    consider("exponential", x, logY, jacobian);
+    const std::string name = pemesh::FindTrendForm(x, y).Name;
+    ++found[name];
+    if (best != "none")
+    {
+      EXPECT_EQ(name, best) << trial;
+    }
+  }
+  for (const char* name : { "linear", "power-law", "exponential" })
+  {
+    EXPECT_GT(found[name], 10) << name;
+  }
 }
 
 TEST(TrendForm, NegativeValuesHaveNoLogarithm)
