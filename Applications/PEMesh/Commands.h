@@ -39,6 +39,9 @@ void AddReportCommand(CLI::App& program, int& exitCode);
 /** Writes that page of a folder and says where it is. An exit code. */
 int WriteReport(const std::string& folder, const std::string& file);
 
+/** convergence: the observed orders in a table. */
+void AddConvergenceCommand(CLI::App& program, int& exitCode);
+
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);
 

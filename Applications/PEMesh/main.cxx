@@ -30,6 +30,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddCorrelateCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
   pemesh::AddReportCommand(program, exitCode);
+  pemesh::AddConvergenceCommand(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 
   pemesh::InstallMessageHandler();

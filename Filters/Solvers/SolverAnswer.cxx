@@ -41,9 +41,19 @@ std::string Printable(std::string_view word)
   return text + (word.size() > longest ? "…" : "");
 }
 
-/** All numbers of a file, which must be `expected` finite ones. */
-vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, vtkIdType expected)
+/** What the numbers of a file belong to. */
+struct Expected
 {
+  vtkIdType Count;
+  const char* Each;           ///< "vertex"
+  bool MayBeUndefined = true; ///< "nan" is allowed
+};
+
+/** All numbers of a file. */
+vtkSmartPointer<vtkDoubleArray> ReadNumbers(
+  const std::filesystem::path& path, const Expected& wanted)
+{
+  const vtkIdType expected = wanted.Count;
   const std::string text = ReadTextFile(path);
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
   numbers->SetNumberOfTuples(expected);
@@ -60,7 +70,7 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
       all.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
     counted = begin;
     const std::optional<double> number = ParseNumber(word);
-    if (!number || !std::isfinite(*number))
+    if (!number || !(std::isfinite(*number) || (wanted.MayBeUndefined && std::isnan(*number))))
     {
       throw std::runtime_error("The file \"" + path.filename().string() +
         "\" of the solver has \"" + Printable(word) + "\" in line " + std::to_string(line) +
@@ -77,7 +87,8 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
   {
     throw std::runtime_error("The file \"" + path.filename().string() + "\" of the solver has " +
       std::to_string(count) + (count == 1 ? " number" : " numbers") + " and should have " +
-      std::to_string(expected) + (expected == 1 ? "." : ", one for each vertex of the mesh."));
+      std::to_string(expected) +
+      (expected == 1 ? "." : std::string(", one for each ") + wanted.Each + " of the mesh."));
   }
   return numbers;
 }
@@ -86,7 +97,7 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
  * A pipe would be waited for without end, a link may lead anywhere, and a file of many gigabytes
  * would be read into memory only to be refused.
  */
-void CheckFile(const std::filesystem::path& path, vtkIdType expected)
+void CheckFile(const std::filesystem::path& path, const Expected& expected)
 {
   const std::string name = "The file \"" + path.filename().string() + "\" of the solver ";
   std::error_code error;
@@ -108,18 +119,18 @@ void CheckFile(const std::filesystem::path& path, vtkIdType expected)
   }
   constexpr std::uintmax_t longestNumber = 64;
   constexpr std::uintmax_t room = 1 << 20; // for comments on one's own digits
-  const std::uintmax_t most = room + longestNumber * static_cast<std::uintmax_t>(expected);
+  const std::uintmax_t most = room + longestNumber * static_cast<std::uintmax_t>(expected.Count);
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (!error && size > most)
   {
     throw std::runtime_error(name + "has " + std::to_string(size) + " bytes, too many for " +
-      std::to_string(expected) + (expected == 1 ? " number." : " numbers."));
+      std::to_string(expected.Count) + (expected.Count == 1 ? " number." : " numbers."));
   }
 }
 
 /** Null, with the fault told, where the file is no good. */
 vtkSmartPointer<vtkDoubleArray> TakeNumbers(
-  const std::filesystem::path& path, vtkIdType expected, std::vector<std::string>& faults)
+  const std::filesystem::path& path, const Expected& expected, std::vector<std::string>& faults)
 {
   try
   {
@@ -144,26 +155,40 @@ std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& de
   {
     files.push_back(AnswerFile(folder, stem, '-' + performance.Name + ".txt"));
   }
+  for (const SolverElementArray& array : description.Elements)
+  {
+    files.push_back(AnswerFile(folder, stem, '-' + array.Name + ".txt"));
+  }
   return files;
 }
 
 SolverAnswer ReadSolverAnswer(const SolverDescription& description,
-  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices)
+  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices,
+  vtkIdType elements)
 {
   SolverAnswer answer;
-  answer.Solution = TakeNumbers(AnswerFile(folder, stem, SolutionSuffix), vertices, answer.Faults);
+  const Expected atVertices{ vertices, "vertex", false };
+  answer.Solution =
+    TakeNumbers(AnswerFile(folder, stem, SolutionSuffix), atVertices, answer.Faults);
   const std::filesystem::path truth = AnswerFile(folder, stem, GroundTruthSuffix);
   std::error_code error;
   if (std::filesystem::exists(std::filesystem::symlink_status(truth, error)))
   {
-    answer.GroundTruth = TakeNumbers(truth, vertices, answer.Faults);
+    answer.GroundTruth = TakeNumbers(truth, atVertices, answer.Faults);
   }
   for (const SolverPerformance& performance : description.Performances)
   {
-    const auto number =
-      TakeNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), 1, answer.Faults);
+    const auto number = TakeNumbers(
+      AnswerFile(folder, stem, '-' + performance.Name + ".txt"), { 1, "mesh" }, answer.Faults);
     answer.Performances.push_back(
       number ? number->GetValue(0) : std::numeric_limits<double>::quiet_NaN());
+  }
+  for (const SolverElementArray& array : description.Elements)
+  {
+    const std::filesystem::path file = AnswerFile(folder, stem, '-' + array.Name + ".txt");
+    answer.Elements.push_back(std::filesystem::exists(std::filesystem::symlink_status(file, error))
+        ? TakeNumbers(file, { elements, "element" }, answer.Faults)
+        : nullptr);
   }
   return answer;
 }

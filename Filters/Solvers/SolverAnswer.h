@@ -24,6 +24,8 @@ struct SolverAnswer
   vtkSmartPointer<vtkDoubleArray> GroundTruth; // null where the solver does not know it
   std::vector<double> Performances;            // in the order of the description; NaN if missing
   std::vector<std::string> Faults;             // a sentence for every file that is no good
+  /** In the order of the description; null where the solver has not written one. */
+  std::vector<vtkSmartPointer<vtkDoubleArray>> Elements;
 };
 
 /** The files that the contract names for `stem`, whether they exist or not. */
@@ -32,7 +34,8 @@ std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& de
 
 /** Takes all that is good and says in the faults what is not. */
 SolverAnswer ReadSolverAnswer(const SolverDescription& description,
-  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices);
+  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices,
+  vtkIdType elements);
 
 } // namespace pemesh
 

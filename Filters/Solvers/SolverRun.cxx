@@ -336,7 +336,8 @@ SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverFolder& fol
     return outcome;
   }
   return JudgeAnswer(run,
-    ReadSolverAnswer(run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints()),
+    ReadSolverAnswer(
+      run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints(), mesh->GetNumberOfPolys()),
     Explanation(folder, expected, result));
 }
 
@@ -360,7 +361,8 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
   if (run.ReusesAnswer && IsSolved(solved, question, answers))
   {
     return { "ok", "",
-      ReadSolverAnswer(run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints()) };
+      ReadSolverAnswer(run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints(),
+        mesh->GetNumberOfPolys()) };
   }
   SolverOutcome outcome;
   for (int attempt = 0; attempt <= run.Retries; ++attempt)

@@ -115,6 +115,18 @@ FieldTable<SolverPerformance> PerformanceFields()
   return table;
 }
 
+FieldTable<SolverElementArray> ElementArrayFields()
+{
+  FieldTable<SolverElementArray> table;
+  table.Fields = { TextField("name", &SolverElementArray::Name,
+                     "The solver may write it to <mesh>-<name>.txt, one number an element.")
+                     .Required(),
+    TextField("label", &SolverElementArray::Label, "What people read, with the unit.") };
+  table.Finish = [](const DocumentPlace& place, SolverElementArray& array)
+  { CheckFileName(place.Member("name"), array.Name); };
+  return table;
+}
+
 /** Formats whose vertices a solver can answer for. */
 std::vector<std::string> SolverMeshFormats()
 {
@@ -180,6 +192,7 @@ void FinishDescription(const DocumentPlace& place, SolverDescription& descriptio
   CheckFileName(place.Member("name"), description.Name);
   CheckUnique(description.Options, place.Member("options"));
   CheckUnique(description.Performances, place.Member("performances"));
+  CheckUnique(description.Elements, place.Member("elements"));
   std::vector<std::string> known = CommonPlaceholders;
   for (const SolverOption& option : description.Options)
   {
@@ -232,6 +245,8 @@ const FieldTable<SolverDescription>& DescriptionFields()
       ListField("options", &SolverDescription::Options, OptionFields(), "What a run can choose."),
       ListField("performances", &SolverDescription::Performances, PerformanceFields(),
         "The numbers it writes for each mesh."),
+      ListField("elements", &SolverDescription::Elements, ElementArrayFields(),
+        "The arrays it may write, one number an element."),
       ArgumentsField("version-command", &SolverDescription::VersionCommand,
         "The argument list that makes it print its version.")
     };
@@ -321,6 +336,10 @@ SolverDescription ParseSolverDescription(std::string_view text, const fs::path& 
   for (SolverPerformance& performance : description.Performances)
   {
     performance.Label = performance.Label.empty() ? performance.Name : performance.Label;
+  }
+  for (SolverElementArray& array : description.Elements)
+  {
+    array.Label = array.Label.empty() ? array.Name : array.Label;
   }
   description.Folder = path.parent_path();
   return description;
