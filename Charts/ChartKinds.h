@@ -30,7 +30,8 @@ struct ChartKind
   bool UsesLog;
   int LeastY;                       // columns of ordinates
   double Aspect;                    // height over width
-  bool JoinsPoints;                 // a metric stands for its band of min, mean and max
+  bool ShowsBands;                  // a metric stands for its band of min, mean and max
+  bool OfElements;                  // usually of elements rather than of meshes
   std::vector<std::string> Options; // of ChartOptions
   ChartPicture (*Make)(const ChartRequest& request);
 };
@@ -42,7 +43,7 @@ PEMESHCHARTS_EXPORT const ChartKind* FindChartKind(const std::string& name);
 
 PEMESHCHARTS_EXPORT std::vector<std::string> ChartKindNames();
 
-/** Whether a kind knows an option: the limits of axes belong to all that have numbers on them. */
+/** Whether a kind knows an option; all know the limits of the axes. */
 PEMESHCHARTS_EXPORT bool HasOption(const ChartKind& kind, const std::string& option);
 
 } // namespace pemesh

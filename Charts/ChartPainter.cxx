@@ -15,28 +15,6 @@
 namespace pemesh
 {
 
-namespace
-{
-
-/** The least and greatest of the values that colour the marks. */
-struct ValueRange
-{
-  double Low = NoValue;
-  double High = NoValue;
-  bool Logarithmic = false;
-
-  void Add(double value)
-  {
-    if (std::isfinite(value) && (!this->Logarithmic || value > 0.0))
-    {
-      this->Low = std::fmin(this->Low, value);
-      this->High = std::fmax(this->High, value);
-    }
-  }
-};
-
-} // namespace
-
 ChartPainter::ChartPainter(
   PanelPainter& painter, const ChartPicture& picture, const ChartView& view)
   : Painter(painter)
@@ -50,39 +28,26 @@ ChartPainter::ChartPainter(
   }
 }
 
-bool ChartPainter::IsCounted(const ChartPlot& plot) const
-{
-  return plot.IsDensity && !plot.LegendIsNeeded && !plot.AllSeries.empty() &&
-    plot.AllSeries[0].Values.empty();
-}
-
 void ChartPainter::MakeColorScale()
 {
-  ValueRange range;
+  AxisRange range = { NoValue, NoValue };
   const ChartPlot& first = this->Picture.Plots.front();
-  range.Logarithmic = first.LogColor;
+  bool isCounted = false;
   for (const ChartPlot& plot : this->Picture.Plots)
   {
-    for (const ChartSeries& series : plot.AllSeries)
+    range.Low = std::fmin(range.Low, plot.Values.Low);
+    range.High = std::fmax(range.High, plot.Values.High);
+    if (CountsPoints(plot))
     {
-      std::for_each(
-        series.Values.begin(), series.Values.end(), [&range](double value) { range.Add(value); });
-    }
-    for (const ChartBar& bar : plot.Bars)
-    {
-      range.Add(bar.HasValue ? bar.Value : NoValue);
-    }
-    if (this->IsCounted(plot))
-    {
-      range.Add(1.0);
-      range.Add(static_cast<double>(plot.AllSeries[0].X.size())); // until they are counted
-      range.Logarithmic = true;
+      isCounted = true;
+      range.Low = 1.0;
+      range.High = static_cast<double>(plot.AllSeries[0].X.size()); // until they are counted
     }
   }
   const std::string& name =
     first.ColorMap.empty() ? this->Painter.Style().ColorMap : first.ColorMap;
   this->Colors.Map = FindColorMap(name) ? FindColorMap(name) : FindColorMap("viridis");
-  this->Colors.Logarithmic = range.Logarithmic;
+  this->Colors.Logarithmic = first.LogColor || isCounted;
   const bool any = !std::isnan(range.Low);
   const bool fixed = std::isfinite(first.ColorRange[0]);
   this->Colors.Low = fixed ? first.ColorRange[0] : any ? range.Low : 1.0;
@@ -96,7 +61,7 @@ void ChartPainter::CountDensest()
   int largest = 0;
   for (std::size_t i = 0; i < this->Axes.size(); ++i)
   {
-    if (this->IsCounted(this->Picture.Plots[i]))
+    if (CountsPoints(this->Picture.Plots[i]))
     {
       const PointDensity density = CountPoints(this->Picture.Plots[i].AllSeries[0],
         this->Axes[i].Placement(), MarkPainter::DensityCell * this->Em);
@@ -119,7 +84,8 @@ std::vector<LegendEntry> ChartPainter::MakeLegend() const
   }
   for (const ChartSeries& series : plot.AllSeries)
   {
-    if (series.InLegend)
+    const bool isCounted = CountsPoints(plot) && series.OfRows; // told by the colour bar
+    if (series.InLegend && !isCounted)
     {
       LegendEntry entry;
       entry.Text = series.Label;
@@ -127,7 +93,7 @@ std::vector<LegendEntry> ChartPainter::MakeLegend() const
       entry.Band = !series.Lower.empty();
       entry.LineType = MarkPainter::LineTypeOf(this->Painter, plot, series);
       entry.Marker = MarkPainter::MarkerOf(this->Painter, plot, series);
-      entry.Patch = plot.IsDensity;
+      entry.Patch = series.X.empty() || (plot.IsDensity && series.OfRows);
       entries.push_back(entry);
     }
   }
@@ -183,53 +149,53 @@ void ChartPainter::DrawLegend()
 
 void ChartPainter::LayOutPlots(const Box& box)
 {
-  const auto count = static_cast<int>(this->Axes.size());
-  const int columns = std::max(1, std::min(this->Picture.Columns, count));
-  const int rows = (count + columns - 1) / columns;
-  const double gap = this->Picture.IsMatrix ? 0.0 : 0.6 * this->Em;
-  const double height = std::max(this->Em, (box.Height - gap * (rows - 1)) / rows);
-  const double width = std::max(this->Em, (box.Width - gap * (columns - 1)) / columns);
-  if (!this->Picture.IsMatrix)
+  const std::size_t count = this->Axes.size();
+  if (count == 1)
   {
-    const auto cell = [&](int i)
-    {
-      return Box{ box.X + (i % columns) * (width + gap),
-        box.Top() - (i / columns) * (height + gap) - height, width, height };
-    };
-    PlotMargins margins; // alike for all, so that the plots are in line
-    for (int pass = 0; pass < 2; ++pass)
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        PlotAxes& axes = this->Axes[static_cast<std::size_t>(i)];
-        axes.LayOut(cell(i), margins);
-      }
-      for (const PlotAxes& axes : this->Axes)
-      {
-        margins.Include(axes.Margins());
-      }
-    }
+    this->Axes[0].LayOut(box);
     return;
   }
-  // In a matrix only the left and lower plots have labels: these get more room.
-  PlotMargins outer;
-  for (int i = 0; i < count; ++i)
+  // All plots are equally large; labels get the room that the widest of their row or column needs.
+  const auto columns =
+    std::clamp(static_cast<std::size_t>(this->Picture.Columns), std::size_t{ 1 }, count);
+  const std::size_t rows = (count + columns - 1) / columns;
+  const double gap = this->Picture.IsMatrix ? 0.0 : 0.5 * this->Em;
+  std::vector<PlotMargins> across(columns);
+  std::vector<PlotMargins> down(rows);
+  // Which labels fit depends on the size of the plots, and that on the labels.
+  for (int pass = 0; pass < 3; ++pass)
   {
-    this->Axes[static_cast<std::size_t>(i)].LayOut({ box.X, box.Y, width, height });
-    outer.Include(this->Axes[static_cast<std::size_t>(i)].Margins());
-  }
-  const double inner = 0.35 * this->Em;
-  const double plotWidth = std::max(this->Em, (box.Width - outer.Left) / columns - 2.0 * inner);
-  const double plotHeight = std::max(this->Em, (box.Height - outer.Bottom) / rows - 2.0 * inner);
-  for (int i = 0; i < count; ++i)
-  {
-    const double left = i % columns == 0 ? outer.Left : inner;
-    const double bottom = i / columns == rows - 1 ? outer.Bottom : inner;
-    const double x = box.X + outer.Left + (i % columns) * (plotWidth + 2.0 * inner);
-    const double y = box.Top() - (i / columns + 1) * (plotHeight + 2.0 * inner) + inner;
-    this->Axes[static_cast<std::size_t>(i)].LayOut(
-      { x - left, y - bottom, plotWidth + left + inner, plotHeight + bottom + inner },
-      { left, inner, bottom, inner });
+    double width = box.Width - gap * static_cast<double>(columns - 1);
+    double height = box.Height - gap * static_cast<double>(rows - 1);
+    for (const PlotMargins& margins : across)
+    {
+      width -= margins.Left + margins.Right;
+    }
+    for (const PlotMargins& margins : down)
+    {
+      height -= margins.Bottom + margins.Top;
+    }
+    width = std::max(this->Em, width / static_cast<double>(columns));
+    height = std::max(this->Em, height / static_cast<double>(rows));
+    double top = box.Top();
+    for (std::size_t row = 0; row < rows; ++row)
+    {
+      const double cellHeight = height + down[row].Bottom + down[row].Top;
+      double left = box.X;
+      for (std::size_t column = 0; column < columns && row * columns + column < count; ++column)
+      {
+        const double cellWidth = width + across[column].Left + across[column].Right;
+        this->Axes[row * columns + column].LayOut({ left, top - cellHeight, cellWidth, cellHeight },
+          { across[column].Left, across[column].Right, down[row].Bottom, down[row].Top });
+        left += cellWidth + gap;
+      }
+      top -= cellHeight + gap;
+    }
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      across[i % columns].Include(this->Axes[i].Margins());
+      down[i / columns].Include(this->Axes[i].Margins());
+    }
   }
 }
 
@@ -267,7 +233,7 @@ void ChartPainter::DrawPlot(std::size_t index)
 std::string ChartPainter::ColorTitle() const
 {
   const ChartPlot& plot = this->Picture.Plots.front();
-  return this->IsCounted(plot) ? "points" : plot.ColorTitle;
+  return CountsPoints(plot) ? "points" : plot.ColorTitle;
 }
 
 std::vector<PlotPlacement> ChartPainter::Paint(const Box& box)

@@ -39,7 +39,6 @@ public:
   std::vector<PlotPlacement> Paint(const Box& box);
 
 private:
-  bool IsCounted(const ChartPlot& plot) const;
   void MakeColorScale();
   void CountDensest();
   std::vector<LegendEntry> MakeLegend() const;

@@ -95,8 +95,11 @@ void FinishSeries(ChartPlot& plot, std::size_t index, Extent& x, Extent& y)
     }
   }
   include(series.Y, series.PlacesY());
-  include(series.Lower, series.PlacesLower());
-  include(series.Upper, series.PlacesUpper());
+  if (series.OfRows) // the band of a curve may be wider than is worth seeing
+  {
+    include(series.Lower, series.PlacesLower());
+    include(series.Upper, series.PlacesUpper());
+  }
 }
 
 AxisRange RangeOf(const ChartAxis& axis, const Extent& extent)
@@ -128,6 +131,13 @@ std::string LogarithmicAxes(const ChartPicture& picture)
 
 } // namespace
 
+bool CountsPoints(const ChartPlot& plot)
+{
+  const auto clouds = std::count_if(plot.AllSeries.begin(), plot.AllSeries.end(),
+    [](const ChartSeries& series) { return series.OfRows; });
+  return plot.IsDensity && clouds == 1 && plot.AllSeries[0].Values.empty();
+}
+
 void FinishPlot(ChartPlot& plot)
 {
   Extent x;
@@ -152,6 +162,18 @@ void FinishPlot(ChartPlot& plot)
       y.Add(plot.Y.PlaceOf(shape.Y[i]));
     }
   }
+  Extent values;
+  const auto addValue = [&](double value)
+  { values.Add(plot.LogColor && !(value > 0.0) ? NoValue : value); };
+  for (const ChartSeries& series : plot.AllSeries)
+  {
+    std::for_each(series.Values.begin(), series.Values.end(), addValue);
+  }
+  for (const ChartBar& bar : plot.Bars)
+  {
+    addValue(bar.HasValue ? bar.Value : NoValue);
+  }
+  plot.Values = { values.Low, values.High };
   plot.IsEmpty = std::isnan(y.Low);
   plot.X.Range = RangeOf(plot.X, x);
   plot.Y.Range = RangeOf(plot.Y, y);

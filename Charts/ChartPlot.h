@@ -49,6 +49,7 @@ struct ChartSeries
   bool Joined = false;
   bool Marked = true;
   bool InLegend = true;
+  bool Edged = true;  // whether edges keep its markers apart
   bool OfRows = true; // false for a curve, whose points are no rows of the table
   std::vector<double> X;
   std::vector<double> Y; // empty for a band alone
@@ -136,6 +137,7 @@ struct ChartPlot
 
   // Made by FinishPlot.
   bool IsEmpty = true;
+  AxisRange Values = { NoValue, NoValue }; // that colour the marks
   long NotPositive = 0;
   long Undefined = 0;
   long Infinite = 0;
@@ -148,6 +150,9 @@ struct ChartPicture
   bool IsMatrix = false; // labels only at the left and below
   std::vector<std::string> Notes;
 };
+
+/** Whether the points of a plot are too many to be drawn, and alike, so that they are counted. */
+bool CountsPoints(const ChartPlot& plot);
 
 /** Finds the places and ranges of all marks, and counts what has no place. */
 void FinishPlot(ChartPlot& plot);

@@ -84,6 +84,16 @@ void FinishPicture(const ChartRequest& request, ChartPicture& picture)
 ChartPicture MakeLineChart(const ChartRequest& request)
 {
   CheckRequest(request);
+  if (!request.Options.Group.empty())
+  {
+    ChartPicture picture = MakeScatterChart(request);
+    picture.Plots[0].IsDensity = false;
+    for (ChartSeries& series : picture.Plots[0].AllSeries)
+    {
+      series.Joined = series.OfRows;
+    }
+    return picture;
+  }
   if (!request.Color.empty())
   {
     // Points of a colour each cannot be joined by a line of one.
@@ -130,9 +140,13 @@ ChartPicture MakeSmallMultiples(const ChartRequest& request)
       common.High = std::fmax(common.High, plot.X.Range.High);
     }
   }
-  for (ChartPlot& plot : picture.Plots)
+  for (std::size_t i = 0; i < picture.Plots.size(); ++i)
   {
+    ChartPlot& plot = picture.Plots[i];
     plot.X.Range = common.Low < common.High ? common : plot.X.Range;
+    // One title is enough for all plots above each other.
+    const bool isLowest = i + static_cast<std::size_t>(picture.Columns) >= picture.Plots.size();
+    plot.X.Title = isLowest ? plot.X.Title : std::string();
   }
   return picture;
 }

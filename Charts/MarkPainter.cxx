@@ -3,12 +3,11 @@
 #include "MarkPainter.h"
 
 #include "LineThinning.h"
+#include "vtkPEMCairoContextDevice2D.h"
 
 #include <vtkContext2D.h>
-#include <vtkImageData.h>
-#include <vtkRect.h>
+#include <vtkContextDevice2D.h>
 #include <vtkRenderingCoreEnums.h>
-#include <vtkVector.h>
 
 #include <algorithm>
 #include <array>
@@ -51,30 +50,6 @@ bool IsPoint(const ChartSeries& series, std::size_t i)
 }
 
 } // namespace
-
-PointDensity CountPoints(const ChartSeries& series, const PlotPlacement& place, double cellSize)
-{
-  PointDensity density;
-  density.Columns = std::max(1, static_cast<int>(place.Area.Width / cellSize));
-  density.Rows = std::max(1, static_cast<int>(place.Area.Height / cellSize));
-  density.Counts.resize(static_cast<std::size_t>(density.Columns) * density.Rows);
-  const double scaleX = density.Columns / (place.X.High - place.X.Low);
-  const double scaleY = density.Rows / (place.Y.High - place.Y.Low);
-  const std::vector<double>& xs = series.PlacesX();
-  const std::vector<double>& ys = series.PlacesY();
-  for (std::size_t i = 0; i < xs.size(); ++i)
-  {
-    const double column = (xs[i] - place.X.Low) * scaleX;
-    const double row = (ys[i] - place.Y.Low) * scaleY;
-    if (column >= 0.0 && row >= 0.0 && column < density.Columns && row < density.Rows) // not NaN
-    {
-      ++density.Counts[static_cast<std::size_t>(row) * density.Columns +
-        static_cast<std::size_t>(column)];
-    }
-  }
-  density.Largest = *std::max_element(density.Counts.begin(), density.Counts.end());
-  return density;
-}
 
 MarkPainter::MarkPainter(PanelPainter& painter, const ChartPlot& plot, const PlotPlacement& place,
   const ColorScale& colors, const std::vector<vtkIdType>& highlighted)
@@ -124,7 +99,7 @@ double MarkPainter::MarkerSize(const ChartSeries& series) const
   {
     points = std::max(points, each.X.size());
   }
-  const double size = series.Joined ? 0.55 : 0.7;
+  const double size = !series.Edged ? 0.35 : series.Joined ? 0.55 : 0.7;
   const double shrunk = size * std::pow(50.0 / static_cast<double>(points), 0.25);
   // Where the plot is a small one of many, its marks are smaller too.
   const double room = std::min(this->Place.Area.Width, this->Place.Area.Height) / this->Em;
@@ -183,11 +158,18 @@ void MarkPainter::DrawBar(const ChartBar& bar)
   this->Painter.Poly(outline, highlighted ? 0.18 : bar.Pale ? 0.12 : 0.05, line);
   PanelText text;
   text.Horizontal = 0;
-  text.Size = 0.8;
+  text.Size = 0.72;
   const bool dark = 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2] < 140.0 && !bar.Pale;
   text.Ink = dark ? ChartColor{ 255, 255, 255, 254 } : ChartColor{ 34, 34, 34, 254 };
-  if (!bar.Text.empty() && this->Painter.TextWidth(bar.Text, text) < 0.95 * box.Width &&
-    box.Height > text.Size * LineSpacing * this->Em)
+  if (bar.Text.empty())
+  {
+    return;
+  }
+  // Smaller where the box is narrow, as long as it can be read.
+  constexpr double least = 0.5;
+  const double width = this->Painter.TextWidth(bar.Text, text);
+  text.Size *= std::min(1.0, 0.9 * box.Width / width);
+  if (text.Size >= least && box.Height > text.Size * LineSpacing * this->Em)
   {
     this->Painter.Text(box.MiddleX(), box.MiddleY(), bar.Text, text);
   }
@@ -255,6 +237,26 @@ void MarkPainter::DrawBand(const ChartSeries& series)
   finish();
 }
 
+/** In pieces where it is long: the time of stroking a path grows with its crossings. */
+void MarkPainter::DrawRun(
+  std::vector<float>& run, double width, const ChartColor& color, int lineType)
+{
+  constexpr std::size_t piece = 256; // points
+  const std::size_t points = run.size() / 2;
+  if (lineType != vtkPen::SOLID_LINE || points <= 2 * piece)
+  {
+    this->Painter.Poly(run, width, color, lineType);
+    return;
+  }
+  for (std::size_t first = 0; first + 1 < points; first += piece - 1)
+  {
+    const std::size_t last = std::min(first + piece, points);
+    std::vector<float> part(run.begin() + static_cast<std::ptrdiff_t>(2 * first),
+      run.begin() + static_cast<std::ptrdiff_t>(2 * last));
+    this->Painter.Poly(part, width, color, lineType);
+  }
+}
+
 void MarkPainter::DrawLines(const ChartSeries& series)
 {
   const ChartColor color = this->Painter.ColorOfSeries(series.Style);
@@ -271,7 +273,7 @@ void MarkPainter::DrawLines(const ChartSeries& series)
         SeriesMarker(series.Style), run[0], run[1], this->MarkerSize(series), color);
     }
     ThinLine(run, 0.06 * this->Em);
-    this->Painter.Poly(run, width, color, lineType);
+    this->DrawRun(run, width, color, lineType);
     run.clear();
   };
   for (std::size_t i = 0; i < series.Y.size(); ++i)
@@ -292,7 +294,10 @@ void MarkPainter::DrawMarkers(const ChartSeries& series)
   const double size = this->MarkerSize(series);
   const int shape = MarkerOf(this->Painter, this->Plot, series);
   constexpr std::size_t many = 300; // where edges would be most of what is seen
-  const bool edges = this->Painter.Style().MarkerEdges && series.X.size() <= many;
+  const bool edges = series.Edged && this->Painter.Style().MarkerEdges && series.X.size() <= many;
+  // In a file every marker has its edge above its neighbours; in a window a call a marker is slow.
+  vtkContextDevice2D* device = this->Painter.Context()->GetDevice();
+  const bool oneByOne = vtkPEMCairoContextDevice2D::SafeDownCast(device) != nullptr;
   std::vector<float> points;
   std::vector<unsigned char> colors;
   for (std::size_t i = 0; i < series.Y.size(); ++i)
@@ -304,7 +309,7 @@ void MarkPainter::DrawMarkers(const ChartSeries& series)
     const ChartColor color = this->ColorOf(series, i);
     const double x = this->Place.DeviceX(series.PlacesX()[i]);
     const double y = this->Place.DeviceY(series.PlacesY()[i]);
-    if (edges)
+    if (edges && oneByOne)
     {
       this->Painter.Marker(shape, x, y, size, color, true);
       continue;
@@ -315,77 +320,12 @@ void MarkPainter::DrawMarkers(const ChartSeries& series)
   }
   if (!points.empty())
   {
+    if (edges && shape != VTK_MARKER_CROSS && shape != VTK_MARKER_PLUS)
+    {
+      this->Painter.Markers(shape, points, size + 0.1, White);
+    }
     this->Painter.Markers(shape, points, size, this->Painter.ColorOfSeries(series.Style), &colors);
   }
-}
-
-void MarkPainter::DrawImage(const std::vector<ChartColor>& dots, int columns, int rows)
-{
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(columns, rows, 1);
-  image->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
-  auto* bytes = static_cast<unsigned char*>(image->GetScalarPointer());
-  for (const ChartColor& dot : dots)
-  {
-    bytes = std::copy(dot.begin(), dot.end(), bytes);
-  }
-  const Box& area = this->Place.Area;
-  this->Painter.Context()->DrawImage(
-    vtkRectf(static_cast<float>(area.X), static_cast<float>(area.Y), static_cast<float>(area.Width),
-      static_cast<float>(area.Height)),
-    image);
-}
-
-void MarkPainter::DrawDensity(const ChartSeries& series)
-{
-  const PointDensity density = CountPoints(series, this->Place, DensityCell * this->Em);
-  std::vector<ChartColor> dots(density.Counts.size(), ChartColor{ 255, 255, 255, 0 });
-  for (std::size_t i = 0; i < dots.size(); ++i)
-  {
-    if (density.Counts[i] > 0)
-    {
-      dots[i] = this->Colors.ColorOf(density.Counts[i]);
-    }
-  }
-  this->DrawImage(dots, density.Columns, density.Rows);
-}
-
-void MarkPainter::DrawDots(const ChartSeries& series)
-{
-  // Round dots of five by five cells without the corners, in the order of the rows.
-  const double cell = 0.07 * this->Em;
-  const Box& area = this->Place.Area;
-  const int columns = std::max(1, static_cast<int>(area.Width / cell));
-  const int rows = std::max(1, static_cast<int>(area.Height / cell));
-  std::vector<ChartColor> dots(
-    static_cast<std::size_t>(columns) * rows, ChartColor{ 255, 255, 255, 0 });
-  const double scaleX = columns / (this->Place.X.High - this->Place.X.Low);
-  const double scaleY = rows / (this->Place.Y.High - this->Place.Y.Low);
-  for (std::size_t i = 0; i < series.X.size(); ++i)
-  {
-    const double x = (series.PlacesX()[i] - this->Place.X.Low) * scaleX;
-    const double y = (series.PlacesY()[i] - this->Place.Y.Low) * scaleY;
-    if (!(x >= 0.0 && y >= 0.0 && x < columns && y < rows))
-    {
-      continue;
-    }
-    const auto column = static_cast<int>(x);
-    const auto row = static_cast<int>(y);
-    const ChartColor color = this->ColorOf(series, i);
-    for (int dy = -2; dy <= 2; ++dy)
-    {
-      const int reach = std::abs(dy) == 2 ? 1 : 2;
-      if (row + dy < 0 || row + dy >= rows)
-      {
-        continue;
-      }
-      const int first = std::max(0, column - reach);
-      const int last = std::min(columns - 1, column + reach);
-      std::fill_n(dots.begin() + static_cast<std::ptrdiff_t>(row + dy) * columns + first,
-        last - first + 1, color);
-    }
-  }
-  this->DrawImage(dots, columns, rows);
 }
 
 void MarkPainter::DrawHighlights(const ChartSeries& series)
@@ -421,7 +361,7 @@ void MarkPainter::DrawText(const ChartText& text)
   {
     const double gap = 0.3 * this->Em;
     this->Painter.Text(this->Place.DeviceX(x) - gap * text.Horizontal,
-      this->Place.DeviceY(y) - gap * text.Vertical, text.Text, style);
+      this->Place.DeviceY(y) - 0.1 * gap * text.Vertical, text.Text, style);
   }
 }
 
@@ -439,8 +379,7 @@ void MarkPainter::Draw()
   {
     this->DrawBand(series);
   }
-  const bool counted = this->Plot.IsDensity && this->Plot.AllSeries.size() >= 1 &&
-    this->Plot.AllSeries[0].Values.empty() && !this->Plot.LegendIsNeeded;
+  const bool counted = CountsPoints(this->Plot);
   for (const ChartSeries& series : this->Plot.AllSeries)
   {
     if (this->Plot.IsDensity && series.OfRows)

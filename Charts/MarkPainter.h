@@ -55,6 +55,7 @@ private:
   void DrawShape(const ChartShape& shape);
   void DrawBand(const ChartSeries& series);
   void DrawLines(const ChartSeries& series);
+  void DrawRun(std::vector<float>& run, double width, const ChartColor& color, int lineType);
   void DrawMarkers(const ChartSeries& series);
   void DrawDensity(const ChartSeries& series);
   void DrawDots(const ChartSeries& series);

@@ -38,9 +38,9 @@ double LevelPlace(int i, int n)
 
 } // namespace
 
-MeshPainter::MeshPainter(
-  vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style)
-  : Painter(context, em)
+MeshPainter::MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh,
+  const MeshStyle& style, const ChartStyle& look)
+  : Painter(context, em, look)
   , Mesh(mesh)
   , Style(style)
   , Em(em)

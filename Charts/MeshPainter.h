@@ -41,7 +41,8 @@ class MeshPainter
 {
 public:
   /** The mesh is one that ElementAccess can use, or has no polygons. */
-  MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style);
+  MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style,
+    const ChartStyle& look = {});
 
   void Paint(const Box& box);
 

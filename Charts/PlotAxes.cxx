@@ -151,7 +151,7 @@ void PlotAxes::LayOutHeights(const Box& box, const PlotMargins& least)
           ? 0.0
           : TitleGap * em + this->Painter.TextHeight(this->FittedXTitle, titles));
   }
-  this->FittedTitle = this->Painter.Fit(this->Plot.Title, box.Width, 1, PlotTitle());
+  this->FittedTitle = this->Painter.Fit(this->Plot.Title, box.Width, 2, PlotTitle());
   const double title =
     this->FittedTitle.empty() ? 0.0 : this->Painter.TextHeight(this->FittedTitle) + 0.2 * em;
   area.Y = box.Y + std::max(below, least.Bottom);
@@ -266,6 +266,23 @@ void PlotAxes::ChooseXTicks()
     --maximum;
     this->XTicks = this->MakeNumberTicks(axis, this->Place.X, maximum);
   }
+  this->DropLabels(gap);
+}
+
+/** Where even two labels are too close, the later one goes. */
+void PlotAxes::DropLabels(double gap)
+{
+  double end = -1e30;
+  for (AxisTick& tick : this->XTicks.Ticks)
+  {
+    const double half = 0.5 * this->Painter.TextWidth(tick.Label, this->TickText(0, 1));
+    const double middle = this->Place.DeviceX(tick.Position);
+    if (!tick.Label.empty() && middle - half < end)
+    {
+      tick.Label.clear();
+    }
+    end = tick.Label.empty() ? end : middle + half + 0.3 * gap;
+  }
 }
 
 void PlotAxes::DrawGrid()
@@ -323,8 +340,12 @@ void PlotAxes::DrawXAxis()
   }
   const double labelBottom = labelTop - this->XLabelHeight;
   this->Painter.Text(area.Right(), labelBottom, this->XTicks.Multiplier, this->TickText(1, 1));
+  // In the middle of the axis, or as near to it as the cell allows.
+  const double half = 0.5 * this->Painter.TextWidth(this->FittedXTitle, this->TitleText(0.0));
+  const double x = std::max(std::min(area.MiddleX(), this->Cell.Right() - half),
+    std::min(this->Cell.X + half, area.MiddleX()));
   this->Painter.Text(
-    area.MiddleX(), labelBottom - TitleGap * this->Em, this->FittedXTitle, this->TitleText(0.0));
+    x, labelBottom - TitleGap * this->Em, this->FittedXTitle, this->TitleText(0.0));
 }
 
 void PlotAxes::DrawYAxis()
@@ -363,7 +384,7 @@ void PlotAxes::DrawAxes()
   }
   this->DrawXAxis();
   this->DrawYAxis();
-  this->Painter.Text(area.MiddleX(), this->Cell.Top(), this->FittedTitle, PlotTitle());
+  this->Painter.Text(this->Cell.MiddleX(), this->Cell.Top(), this->FittedTitle, PlotTitle());
 }
 
 } // namespace pemesh

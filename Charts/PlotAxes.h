@@ -78,6 +78,7 @@ private:
   AxisTicks MakeCategoryTicks(
     const ChartAxis& axis, const AxisRange& range, double length, double room);
   bool XLabelsFit(double gap);
+  void DropLabels(double gap);
   void DrawXAxis();
   void DrawYAxis();
   PanelText TickText(int horizontal, int vertical) const;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points: one cloud, or every pair of columns.
 #include "ChartBuilders.h"
+#include "FittedCurves.h"
 
 #include <vtkTable.h>
 
@@ -96,6 +97,7 @@ ChartPicture MakeScatterChart(const ChartRequest& request)
   ChartPlot plot = MakeAxes(request);
   AddPoints(request, plot);
   ChartPicture picture;
+  AddFits(request.Options, plot, picture.Notes);
   picture.Plots.push_back(std::move(plot));
   FinishPicture(request, picture);
   return picture;

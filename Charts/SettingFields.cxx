@@ -73,9 +73,8 @@ std::string SettingText(const std::string& value)
 void ReadSetting(const SettingLimits& limits, const std::string& text, double& value)
 {
   const auto number = ParseNumber(text);
-  // Where a number may be left unset, NaN is how that is said.
   const bool inside = number && *number >= limits.Least && *number <= limits.Greatest;
-  if (!number || !(inside || (std::isnan(*number) && std::isnan(value))))
+  if (!number || !(inside || (limits.MayBeUnset && std::isnan(*number))))
   {
     Fail(limits, text, "a number" + DescribeRange(limits));
   }

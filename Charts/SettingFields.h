@@ -10,6 +10,7 @@
 
 #include "pemeshChartsModule.h" // For export macro
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -66,6 +67,7 @@ struct SettingLimits
   double Greatest;
   const std::vector<std::string>& Choices;
   bool IsColor;
+  bool MayBeUnset = false; // a number: NaN says so
 };
 
 ///@{
@@ -87,7 +89,11 @@ PEMESHCHARTS_EXPORT std::string DescribeSetting(const SettingLimits& limits, int
 template <typename Owner>
 SettingLimits LimitsOf(const SettingField<Owner>& field)
 {
-  return { field.Name, field.Least, field.Greatest, field.Choices, field.IsColor };
+  // A number that is not set to begin with may be unset again.
+  const auto* number = std::get_if<double Owner::*>(&field.Member);
+  const Owner initial;
+  const bool mayBeUnset = number && std::isnan(initial.**number);
+  return { field.Name, field.Least, field.Greatest, field.Choices, field.IsColor, mayBeUnset };
 }
 
 template <typename Owner>

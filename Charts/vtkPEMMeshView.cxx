@@ -208,7 +208,7 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
     style.CellValues = this->Mesh->GetCellData()->GetArray(this->ColorArray.c_str());
     style.PointValues = this->Mesh->GetPointData()->GetArray(this->ColorArray.c_str());
   }
-  style.MapName = this->ColorMap;
+  style.MapName = this->ColorMap == "viridis" ? this->GetStyle().ColorMap : this->ColorMap;
   style.Logarithmic = this->LogColor;
   style.Diverging = this->Diverging;
   std::copy_n(this->ColorRange, 2, style.Range);
@@ -219,7 +219,7 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
   style.MarkLargest = this->Highlight == HIGHLIGHT_MAX || this->Highlight == HIGHLIGHT_BOTH;
 
   const double* rectangle = this->GetRectangle();
-  pemesh::MeshPainter painter(context, this->GetFontSize(), this->Mesh, style);
+  pemesh::MeshPainter painter(context, this->GetFontSize(), this->Mesh, style, this->GetStyle());
   painter.Paint({ rectangle[0], rectangle[1], rectangle[2], rectangle[3] });
   this->ToDevice[0] = painter.Offset().x;
   this->ToDevice[1] = painter.Offset().y;

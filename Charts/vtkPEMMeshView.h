@@ -87,7 +87,8 @@ public:
   ///@}
 
   ///@{
-  /** "viridis" (default) or "cividis". False, and nothing changed, for any other word. */
+  /** "viridis" (default: that of the style) or "cividis". False, and nothing changed, for any other
+   * word. */
   bool SetColorMap(const std::string& name);
   std::string GetColorMap() const;
   ///@}

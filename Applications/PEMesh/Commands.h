@@ -25,8 +25,11 @@ void AddMetricsCommand(CLI::App& program, int& exitCode);
 /** render: mesh files, side by side. */
 void AddRenderCommand(CLI::App& program, int& exitCode);
 
-/** correlate, plot: what is done with a table. */
+/** correlate: what goes with what in a table. */
 void AddTableCommands(CLI::App& program, int& exitCode);
+
+/** plot: charts of tables. */
+void AddPlotCommand(CLI::App& program, int& exitCode);
 
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);
