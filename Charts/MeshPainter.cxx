@@ -418,6 +418,10 @@ void MeshPainter::Paint(const Box& whole)
   this->DrawOutlines();
   this->MarkElement(this->Smallest, SmallestInk);
   this->MarkElement(this->Largest, LargestInk);
+  for (const vtkIdType element : this->Style.Highlighted)
+  {
+    this->MarkElement(element < this->NumberOfElements() ? element : -1, TextInk);
+  }
 }
 
 } // namespace pemesh

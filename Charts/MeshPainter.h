@@ -35,6 +35,7 @@ struct MeshStyle
   bool OutlinesAreAutomatic = true;
   bool MarkSmallest = false;
   bool MarkLargest = false;
+  std::vector<vtkIdType> Highlighted; // elements
 };
 
 class MeshPainter

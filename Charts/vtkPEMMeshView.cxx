@@ -216,6 +216,7 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
   style.Outlines = this->Outlines != OUTLINES_OFF;
   style.OutlinesAreAutomatic = this->Outlines == OUTLINES_AUTOMATIC;
   style.MarkSmallest = this->Highlight == HIGHLIGHT_MIN || this->Highlight == HIGHLIGHT_BOTH;
+  style.Highlighted = this->GetHighlightedRows();
   style.MarkLargest = this->Highlight == HIGHLIGHT_MAX || this->Highlight == HIGHLIGHT_BOTH;
 
   const double* rectangle = this->GetRectangle();

@@ -126,6 +126,11 @@ public:
   double GetDeviceY(double y) const;
   ///@}
 
+  /** The element at a point of the device: its cell and the value that colours it. */
+  pemesh::ChartPick Pick(double deviceX, double deviceY, double tolerance = 0.8) override;
+  /** Elements with a vertex in a rectangle. */
+  std::vector<vtkIdType> SelectRectangle(double x0, double y0, double x1, double y1) override;
+
   bool Paint(vtkContext2D* painter) override;
 
 protected:

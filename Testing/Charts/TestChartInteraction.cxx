@@ -4,6 +4,7 @@
 #include "ChartSupport.h"
 #include "vtkPEMCairoContextDevice2D.h"
 #include "vtkPEMChart.h"
+#include "vtkPEMMeshView.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkContext2D.h>
@@ -270,6 +271,30 @@ TEST(ChartInteraction, PicksAreExactWhereManyPointsAreDrawnAsADensity)
     EXPECT_EQ(pick.X, x[nearest]);
     EXPECT_EQ(pick.Y, y[nearest]);
   }
+}
+
+TEST(ChartInteraction, ElementsOfAMeshArePickedSelectedAndHighlighted)
+{
+  vtkNew<vtkPEMMeshView> view;
+  view->SetMesh(ChartSupport::MakeSquares(4));
+  const auto before = Paint(view);
+  const auto pick = view->Pick(view->GetDeviceX(0.6), view->GetDeviceY(0.3));
+  EXPECT_EQ(pick.Element, 6); // the third of the second row
+  EXPECT_NEAR(pick.X, 0.6, 1e-9);
+  EXPECT_EQ(pick.Text, "element 6");
+  EXPECT_FALSE(view->Pick(view->GetDeviceX(1.2), view->GetDeviceY(0.3)));
+  EXPECT_THAT(view->SelectRectangle(view->GetDeviceX(0.2), view->GetDeviceY(-0.1),
+                view->GetDeviceX(0.3), view->GetDeviceY(0.1)),
+    ElementsAre(0, 1));
+  view->SetHighlightedRows({ 6, 1000 });
+  const auto after = Paint(view, "HighlightedElement");
+  EXPECT_GT(ChartSupport::MeanDifference(before, after), 0.05);
+
+  // A star: its middle is inside, the notch between two spikes is not.
+  view->SetMesh(ChartSupport::MakeMesh({ ChartSupport::MakeStar() }));
+  Paint(view);
+  EXPECT_TRUE(view->Pick(view->GetDeviceX(0.5), view->GetDeviceY(0.5)));
+  EXPECT_FALSE(view->Pick(view->GetDeviceX(0.05), view->GetDeviceY(0.05)));
 }
 
 TEST(ChartInteraction, APanelInASceneMarksItAsDirty)
