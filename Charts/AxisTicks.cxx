@@ -199,6 +199,11 @@ std::string ReadableNumber(double value, int digits)
   return mantissa + Times + PowerOfTen(exponent);
 }
 
+std::string FixedNumber(double value, int decimals)
+{
+  return Fixed(value, decimals);
+}
+
 AxisTicks MakeLinearTicks(double low, double high, int maximum)
 {
   AxisTicks result;

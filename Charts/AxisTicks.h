@@ -59,6 +59,9 @@ PEMESHCHARTS_EXPORT std::string PowerOfTen(int exponent);
 /** A number for people: `digits` significant ones, "1.5×10⁻⁷" where it is very small or large. */
 PEMESHCHARTS_EXPORT std::string ReadableNumber(double value, int digits = 4);
 
+/** With this many decimals, "1.90". */
+PEMESHCHARTS_EXPORT std::string FixedNumber(double value, int decimals);
+
 } // namespace pemesh
 
 #endif

@@ -45,7 +45,7 @@ cairo_font_options_t* MakeFontOptions()
   return options;
 }
 
-double MeasureLine(const std::string& line, bool bold)
+double MeasureLine(const std::string& line, const CanvasTextStyle& style)
 {
   constexpr double size = 1000.0; // any: the result is in ems
   cairo_matrix_t fontMatrix;
@@ -53,8 +53,8 @@ double MeasureLine(const std::string& line, bool bold)
   cairo_matrix_init_scale(&fontMatrix, size, size);
   cairo_matrix_init_identity(&identity);
   cairo_font_options_t* options = MakeFontOptions();
-  cairo_font_face_t* face = cairo_toy_font_face_create(
-    FontFamily, CAIRO_FONT_SLANT_NORMAL, bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+  cairo_font_face_t* face = cairo_toy_font_face_create(style.Family.c_str(),
+    CAIRO_FONT_SLANT_NORMAL, style.Bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_scaled_font_t* font = cairo_scaled_font_create(face, &fontMatrix, &identity, options);
   cairo_text_extents_t extents = {};
   cairo_scaled_font_text_extents(font, line.c_str(), &extents);
@@ -217,7 +217,7 @@ CanvasTextBox CairoCanvas::MeasureText(const std::string& text, const CanvasText
   CanvasTextBox box;
   for (const std::string& line : SplitLines(text))
   {
-    box.Width = std::max(box.Width, style.Size * MeasureLine(line, style.Bold));
+    box.Width = std::max(box.Width, style.Size * MeasureLine(line, style));
     box.Height += style.Size * LineHeight;
   }
   return box;
@@ -254,12 +254,12 @@ void CairoCanvas::DrawLineOfText(
   cairo_translate(this->Cairo, x, y);
   cairo_rotate(this->Cairo, style.Angle * std::numbers::pi / 180.0);
   cairo_scale(this->Cairo, 1.0, -1.0);
-  cairo_select_font_face(this->Cairo, FontFamily, CAIRO_FONT_SLANT_NORMAL,
+  cairo_select_font_face(this->Cairo, style.Family.c_str(), CAIRO_FONT_SLANT_NORMAL,
     style.Bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
   cairo_set_font_size(this->Cairo, style.Size);
   cairo_set_source_rgba(
     this->Cairo, style.Color[0], style.Color[1], style.Color[2], style.Color[3]);
-  const double width = style.Size * MeasureLine(line, style.Bold);
+  const double width = style.Size * MeasureLine(line, style);
   cairo_move_to(this->Cairo, -width * (1 + style.Horizontal) / 2.0, 0.0);
   cairo_show_text(this->Cairo, line.c_str());
   cairo_new_path(this->Cairo);
@@ -279,6 +279,7 @@ void CairoCanvas::RecordText(
     text += " rotate(" + Rounded(-style.Angle) + ")";
   }
   text += "\" font-size=\"" + Rounded(style.Size / this->Units) + "\"";
+  text += style.Family != FontFamily ? " font-family=\"" + EscapeXml(style.Family) + "\"" : "";
   text += style.Bold ? " font-weight=\"bold\"" : "";
   text += std::string(" text-anchor=\"") + anchors[style.Horizontal + 1] + "\"";
   text += " fill=\"rgb(" + percent(style.Color[0]) + "," + percent(style.Color[1]) + "," +

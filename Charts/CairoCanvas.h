@@ -17,6 +17,7 @@ namespace pemesh
 struct CanvasTextStyle
 {
   double Size = 10.0; // of the em, in units
+  std::string Family = "DejaVu Sans";
   bool Bold = false;
   double Angle = 0.0;  // degrees, anticlockwise
   int Horizontal = -1; // the anchor is at the left -1, centre 0, right 1 of the text

@@ -40,9 +40,9 @@ double LevelPlace(int i, int n)
 
 } // namespace
 
-MeshPainter::MeshPainter(
-  vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style)
-  : Painter(context, em)
+MeshPainter::MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh,
+  const MeshStyle& style, const ChartStyle& look)
+  : Painter(context, em, look)
   , Mesh(mesh)
   , Style(style)
   , Em(em)
@@ -432,6 +432,10 @@ void MeshPainter::Paint(const Box& whole)
   }
   this->MarkElement(this->Smallest, SmallestInk);
   this->MarkElement(this->Largest, LargestInk);
+  for (const vtkIdType element : this->Style.Highlighted)
+  {
+    this->MarkElement(element < this->NumberOfElements() ? element : -1, TextInk);
+  }
 }
 
 } // namespace pemesh

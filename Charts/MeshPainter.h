@@ -37,13 +37,15 @@ struct MeshStyle
   bool MarkLargest = false;
   std::vector<vtkIdType> Marked; // framed, beneath the smallest and the largest
   std::string MarkNote;          // a sentence about them
+  std::vector<vtkIdType> Highlighted; // elements
 };
 
 class MeshPainter
 {
 public:
   /** The mesh is one that ElementAccess can use, or has no polygons. */
-  MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style);
+  MeshPainter(vtkContext2D* context, double em, vtkPolyData* mesh, const MeshStyle& style,
+    const ChartStyle& look = {});
 
   void Paint(const Box& box);
 

@@ -11,7 +11,8 @@
  *
  * - Polygons are filled as they are, concave ones too. Markers are vector shapes.
  * - Pen widths, markers and text keep their size under a transform, as in VTK's OpenGL device.
- * - Text is set in DejaVu Sans (Debian package fonts-dejavu-core) whatever family is asked for,
+ * - Text is set in DejaVu Sans (Debian package fonts-dejavu-core) unless a family other than VTK's
+ *   own (Arial, Courier, Times) is asked for,
  *   measured by Cairo without hinting, and stays text in PDF and SVG. In SVG all text lies above
  *   all other marks, and is not clipped.
  * - Textures of brushes are not drawn: the plain colour is.

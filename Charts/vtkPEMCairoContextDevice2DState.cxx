@@ -20,6 +20,12 @@ pemesh::CanvasTextStyle vtkPEMCairoContextDevice2D::TextStyle() const
 {
   pemesh::CanvasTextStyle style;
   style.Size = this->TextProp->GetFontSize();
+  const std::string family = this->TextProp->GetFontFamilyAsString();
+  // The names of the fonts within VTK stand for no choice.
+  if (family != "Arial" && family != "Courier" && family != "Times" && family != "File")
+  {
+    style.Family = family;
+  }
   style.Bold = this->TextProp->GetBold() != 0;
   style.Angle = this->TextProp->GetOrientation();
   style.Horizontal = this->TextProp->GetJustification() - VTK_TEXT_CENTERED;

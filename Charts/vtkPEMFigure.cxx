@@ -116,6 +116,15 @@ void vtkPEMFigure::SetSizeInPixels(int width, int height)
   this->SetSizeInCentimeters(width * pixel, height * pixel);
 }
 
+void vtkPEMFigure::SetStyle(const pemesh::ChartStyle& style)
+{
+  this->SetDPI(style.Resolution);
+  this->SetFontSize(style.FontSize);
+  this->SetSizeInCentimeters(style.Width, style.Height);
+  this->Style = std::make_unique<pemesh::ChartStyle>(style);
+  this->Modified();
+}
+
 int vtkPEMFigure::GetWidthInPixels() const
 {
   return static_cast<int>(std::lround(this->WidthInCentimeters() * this->DPI / CentimetersPerInch));
@@ -171,7 +180,9 @@ void vtkPEMFigure::Paint(vtkPEMCairoContextDevice2D* device)
     page[1] * units - 2.0 * Margin * em };
   vtkNew<vtkContext2D> context;
   context->Begin(device);
-  pemesh::PanelPainter painter(context, TitleSize * em);
+  const pemesh::ChartStyle style = this->Style ? *this->Style : pemesh::ChartStyle();
+  pemesh::PanelPainter painter(context, TitleSize * em, style);
+  painter.FillBackground({ 0.0, 0.0, page[0] * units, page[1] * units });
   painter.TakeTitle(box, this->Title);
 
   const int columns = this->GridColumns();
@@ -186,6 +197,10 @@ void vtkPEMFigure::Paint(vtkPEMCairoContextDevice2D* device)
     const double y = box.Top() - (i / columns) * (height + gap) - height;
     panel->SetRectangle(x, y, std::max(width, em), std::max(height, em));
     panel->SetFontSize(em);
+    if (this->Style)
+    {
+      panel->SetStyle(*this->Style);
+    }
     panel->Paint(context);
   }
   context->End();
@@ -250,5 +265,6 @@ void vtkPEMFigure::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Size: " << this->Size[0] << " " << this->Size[1] << "\n";
   os << indent << "DPI: " << this->DPI << "\n";
   os << indent << "FontSize: " << this->FontSize << "\n";
+  os << indent << "Style: " << (this->Style ? "its own" : "that of the panels") << "\n";
   os << indent << "ErrorMessage: " << this->ErrorMessage << "\n";
 }

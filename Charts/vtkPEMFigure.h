@@ -19,11 +19,17 @@
 #include <vtkObject.h>
 #include <vtkSmartPointer.h> // For the panels
 
+#include <memory> // For the style
 #include <string> // For titles
 #include <vector> // For the panels
 
 class vtkPEMCairoContextDevice2D;
 class vtkPEMPanel;
+
+namespace pemesh
+{
+struct ChartStyle;
+}
 
 class PEMESHCHARTS_EXPORT vtkPEMFigure : public vtkObject
 {
@@ -77,6 +83,14 @@ public:
   vtkGetMacro(FontSize, double);
   ///@}
 
+  ///@{
+  /**
+   * How the figure and all its panels look; sets the size, the resolution and the size of the text
+   * too. Until then every panel has its own style.
+   */
+  void SetStyle(const pemesh::ChartStyle& style);
+  ///@}
+
   /**
    * Writes the whole file or nothing; the ending .png, .svg or .pdf says which kind. On failure
    * returns false, reports an error, and GetErrorMessage has one sentence that says what to do.
@@ -106,6 +120,7 @@ private:
   double Size[2] = { 0.0, 0.0 };
   double DPI = 300.0;
   double FontSize = 8.0;
+  std::unique_ptr<pemesh::ChartStyle> Style; // null: that of the panels
   std::string ErrorMessage;
 };
 

@@ -220,7 +220,7 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
     style.CellValues = this->Mesh->GetCellData()->GetArray(this->ColorArray.c_str());
     style.PointValues = this->Mesh->GetPointData()->GetArray(this->ColorArray.c_str());
   }
-  style.MapName = this->ColorMap;
+  style.MapName = this->ColorMap == "viridis" ? this->GetStyle().ColorMap : this->ColorMap;
   style.Logarithmic = this->LogColor;
   style.Diverging = this->Diverging;
   std::copy_n(this->ColorRange, 2, style.Range);
@@ -228,13 +228,14 @@ bool vtkPEMMeshView::Paint(vtkContext2D* context)
   style.Outlines = this->Outlines != OUTLINES_OFF;
   style.OutlinesAreAutomatic = this->Outlines == OUTLINES_AUTOMATIC;
   style.MarkSmallest = this->Highlight == HIGHLIGHT_MIN || this->Highlight == HIGHLIGHT_BOTH;
+  style.Highlighted = this->GetHighlightedRows();
   style.MarkLargest = this->Highlight == HIGHLIGHT_MAX || this->Highlight == HIGHLIGHT_BOTH;
   std::ranges::copy_if(this->MarkedElements, std::back_inserter(style.Marked),
     [&](vtkIdType element) { return element >= 0 && element < this->Mesh->GetNumberOfCells(); });
   style.MarkNote = this->MarkNote;
 
   const double* rectangle = this->GetRectangle();
-  pemesh::MeshPainter painter(context, this->GetFontSize(), this->Mesh, style);
+  pemesh::MeshPainter painter(context, this->GetFontSize(), this->Mesh, style, this->GetStyle());
   painter.Paint({ rectangle[0], rectangle[1], rectangle[2], rectangle[3] });
   this->ToDevice[0] = painter.Offset().x;
   this->ToDevice[1] = painter.Offset().y;

@@ -87,7 +87,8 @@ public:
   ///@}
 
   ///@{
-  /** "viridis" (default) or "cividis". False, and nothing changed, for any other word. */
+  /** "viridis" (default: that of the style) or "cividis". False, and nothing changed, for any other
+   * word. */
   bool SetColorMap(const std::string& name);
   std::string GetColorMap() const;
   ///@}
@@ -133,6 +134,11 @@ public:
   double GetDeviceX(double x) const;
   double GetDeviceY(double y) const;
   ///@}
+
+  /** The element at a point of the device: its cell and the value that colours it. */
+  pemesh::ChartPick Pick(double deviceX, double deviceY, double tolerance = 0.8) override;
+  /** Elements with a vertex in a rectangle. */
+  std::vector<vtkIdType> SelectRectangle(double x0, double y0, double x1, double y1) override;
 
   bool Paint(vtkContext2D* painter) override;
 

@@ -30,8 +30,8 @@ void AddRenderCommand(CLI::App& program, int& exitCode);
 /** correlate: tables of results, one or several. */
 void AddCorrelateCommand(CLI::App& program, int& exitCode);
 
-/** plot: figures of a table. */
-void AddTableCommands(CLI::App& program, int& exitCode);
+/** plot: charts of tables. */
+void AddPlotCommand(CLI::App& program, int& exitCode);
 
 /** report: the results of a study on one page. */
 void AddReportCommand(CLI::App& program, int& exitCode);

@@ -5,6 +5,9 @@
  */
 #include "AgglomerationRules.h"
 #include "AreaRules.h"
+#include "ChartKinds.h"
+#include "ChartOptions.h"
+#include "ChartStyle.h"
 #include "Commands.h"
 #include "DomainShapes.h"
 #include "MeshChecks.h"
@@ -234,6 +237,41 @@ Json ChecksAsJson()
   return list;
 }
 
+Json ChartsAsJson()
+{
+  Json list = Json::array();
+  for (const ChartKind& kind : ChartKinds())
+  {
+    list.push_back({ { "name", kind.Name }, { "label", kind.Label }, { "columns", kind.Columns },
+      { "description", kind.Description }, { "options", kind.Options } });
+  }
+  return list;
+}
+
+/** Of a table of settings. */
+template <typename Owner>
+Json SettingsAsJson(std::span<const SettingField<Owner>> fields)
+{
+  Json list = Json::array();
+  for (const SettingField<Owner>& field : fields)
+  {
+    list.push_back(
+      { { "name", field.Name }, { "label", field.Label }, { "type", DescribeSetting(field) },
+        { "default", GetSetting(field, Owner()) }, { "description", field.Description } });
+  }
+  return list;
+}
+
+Json StyleAsJson()
+{
+  return SettingsAsJson(ChartStyleFields());
+}
+
+Json PlotOptionsAsJson()
+{
+  return SettingsAsJson(ChartOptionFields());
+}
+
 /** A table for people: a line an entry, the keys of `columns` side by side. */
 void PrintTable(const Json& list, const std::vector<std::string>& columns)
 {
@@ -308,6 +346,9 @@ const std::vector<Listing>& Listings()
     { "domains", DomainsAsJson, { "name", "description" } },
     { "sources", SourcesAsJson, { "name", "description" } },
     { "rules", RulesAsJson, { "of", "name", "description" } },
+    { "charts", ChartsAsJson, { "name", "columns", "description" } },
+    { "chart-options", PlotOptionsAsJson, { "name", "type", "default", "description" } },
+    { "style", StyleAsJson, { "name", "type", "default", "description" } },
     { "checks", ChecksAsJson, { "name", "severity", "description" } },
   };
   return listings;
@@ -331,7 +372,7 @@ void AddListCommand(CLI::App& program, int& exitCode)
   }
   CLI::App* command = program.add_subcommand("list",
     "List polygon families, domains, sources of meshes, rules, metrics, checks, solvers, test "
-    "problems and more");
+    "problems, kinds of charts, settings of their style and more");
   command->add_option("WHAT", arguments->What, "What to list")
     ->required()
     ->check(CLI::IsMember(names));

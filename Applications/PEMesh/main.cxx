@@ -28,7 +28,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddCheckCommand(program, exitCode);
   pemesh::AddCorrelateCommand(program, exitCode);
-  pemesh::AddTableCommands(program, exitCode);
+  pemesh::AddPlotCommand(program, exitCode);
   pemesh::AddReportCommand(program, exitCode);
   pemesh::AddConvergenceCommand(program, exitCode);
   pemesh::AddListCommand(program, exitCode);

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ResultPanels.h"
 
+#include "ChartKinds.h"
 #include "ColumnLabels.h"
 #include "MetricRegistry.h"
+#include "NumberText.h"
 #include "PolygonFamilies.h"
 #include "Study.h"
 #include "vtkPEMChart.h"
 #include "vtkPEMMeshView.h"
 
+#include <stdexcept>
+
+#include <vtkDataArray.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
@@ -18,13 +23,34 @@ namespace pemesh
 namespace
 {
 
-void AddOrdinates(
-  vtkPEMChart* chart, const std::vector<std::string>& names, const ColumnLabels& labels)
+/** All columns of numbers but the index. */
+std::vector<std::string> ColumnsOfNumbers(vtkTable* table)
+{
+  std::vector<std::string> names;
+  for (vtkIdType i = 0; table && i < table->GetNumberOfColumns(); ++i)
+  {
+    const std::string name = table->GetColumnName(i);
+    if (vtkDataArray::SafeDownCast(table->GetColumn(i)) && name != "Index" && name != "Element")
+    {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+/** Whether a name means the smallest, mean and largest value of a metric, each a column. */
+bool MeansBand(const ChartKind& kind, const std::string& name, vtkTable* table)
+{
+  return FindMetric(name) && !kind.OfElements && table && !table->GetColumnByName(name.c_str());
+}
+
+void AddOrdinates(vtkPEMChart* chart, const ChartKind& kind, const std::vector<std::string>& names,
+  const ColumnLabels& labels)
 {
   for (const std::string& name : names)
   {
     // A metric by its own name stands for its smallest, mean and largest value.
-    if (FindMetric(name))
+    if (MeansBand(kind, name, chart->GetTable()))
     {
       chart->AddBand(name + "_min", name + "_max", name + "_mean", labels.Title(name));
     }
@@ -35,6 +61,16 @@ void AddOrdinates(
   }
 }
 
+/** Titles of the columns that kinds of several plots name by themselves. */
+void SetTitles(vtkPEMChart* chart, vtkTable* table, const ColumnLabels& labels)
+{
+  for (vtkIdType i = 0; table && i < table->GetNumberOfColumns(); ++i)
+  {
+    const std::string name = table->GetColumnName(i);
+    chart->SetColumnTitle(name, labels.Title(name));
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPEMChart> MakeResultChart(
@@ -42,25 +78,32 @@ vtkSmartPointer<vtkPEMChart> MakeResultChart(
 {
   auto chart = vtkSmartPointer<vtkPEMChart>::New();
   chart->SetTable(results);
-  chart->SetKindByName(plot.Kind == "line" ? "line" : "scatter");
-  chart->SetXColumn(plot.X);
-  chart->SetXTitle(labels.Title(plot.X));
-  AddOrdinates(chart, plot.Y, labels);
-  if (plot.Y.size() == 1)
+  const ChartKind* kind = FindChartKind(plot.Kind);
+  if (!kind)
   {
-    const bool band = FindMetric(plot.Y.front()) != nullptr;
-    chart->SetYTitle(labels.Title(plot.Y.front()) + (band ? ": mean and range" : ""));
-    chart->ShowLegendOff();
+    throw std::runtime_error("There is no kind of chart \"" + plot.Kind + "\"; the nearest is \"" +
+      NearestWord(plot.Kind, ChartKindNames()) + "\".");
   }
-  else
+  chart->SetKindByName(plot.Kind);
+  SetTitles(chart, results, labels);
+  chart->SetXColumn(plot.X);
+  const std::vector<std::string> names = plot.Y.empty() ? ColumnsOfNumbers(results) : plot.Y;
+  AddOrdinates(chart, *kind, names, labels);
+  if (names.size() == 1 && kind->UsesX)
   {
-    chart->SetYTitle(" "); // the legend says it
+    const bool band = MeansBand(*kind, names.front(), results);
+    chart->SetYTitle(labels.Title(names.front()) + (band ? ": mean and range" : ""));
+    chart->SetShowLegend(plot.Options.count("fit") > 0 || plot.Options.count("group-by") > 0 ||
+      plot.Kind == "convergence" || !plot.ColorBy.empty());
   }
   chart->SetLogAxes(plot.Log);
-  if (!plot.ColorBy.empty())
+  chart->SetColorColumn(plot.ColorBy);
+  for (const auto& [name, value] : plot.Options)
   {
-    chart->SetColorColumn(plot.ColorBy);
-    chart->SetColorTitle(labels.Title(plot.ColorBy));
+    if (const std::string problem = chart->SetOption(name, value); !problem.empty())
+    {
+      throw std::runtime_error(problem);
+    }
   }
   chart->SetTitle(plot.Title);
   return chart;

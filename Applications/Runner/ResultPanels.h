@@ -24,8 +24,9 @@ class ColumnLabels;
 struct StudyPlot;
 
 /**
- * The chart that a plot of the kinds line and scatter asks for. A metric named as it is (MinAngle)
- * stands for the band from its smallest to its largest value with the mean in it.
+ * The chart that a plot asks for, of a table of results or of elements. A metric named as it is
+ * (MinAngle) stands, in results, for the band from its smallest to its largest value with the mean
+ * in it. Throws std::runtime_error with one sentence for an unknown kind or option.
  */
 PEMESHRUNNER_EXPORT vtkSmartPointer<vtkPEMChart> MakeResultChart(
   const StudyPlot& plot, vtkTable* results, const ColumnLabels& labels);

@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyFigures.h"
 
+#include "ChartKinds.h"
+#include "ChartStyle.h"
+#include "ChartStyleFile.h"
 #include "ColumnLabels.h"
+#include "CsvTable.h"
+#include "ElementTable.h"
 #include "ResultPanels.h"
 #include "SolverDescription.h"
 #include "Study.h"
@@ -30,11 +35,25 @@ bool ShowsMesh(const StudyPlot& plot)
   return plot.Kind == "mesh" || plot.Kind == "overview";
 }
 
-/** Which of `count` cases a plot shows, or -1: negative numbers count from the last one. */
-int CaseOfPlot(const StudyPlot& plot, int count)
+bool ShowsElements(const StudyPlot& plot)
 {
-  const int index = plot.Case < 0 ? count + plot.Case : plot.Case;
+  const ChartKind* kind = FindChartKind(plot.Kind);
+  return kind && kind->OfElements;
+}
+
+/** Which of `count` cases a number means, or -1: negative numbers count from the last one. */
+int CaseOfNumber(int number, int count)
+{
+  const int index = number < 0 ? count + number : number;
   return index >= 0 && index < count ? index : -1;
+}
+
+/** The numbers of the cases whose meshes a plot shows. */
+std::vector<int> NumbersOf(const StudyPlot& plot)
+{
+  return ShowsMesh(plot) || (ShowsElements(plot) && plot.Cases.empty())
+    ? std::vector<int>{ plot.Case }
+    : plot.Cases;
 }
 
 } // namespace
@@ -55,7 +74,11 @@ bool StudyFigures::Shows(const StudyCase& studyCase) const
   const auto& plots = this->TheStudy.Plots;
   return std::any_of(plots.begin(), plots.end(),
     [&](const StudyPlot& plot)
-    { return ShowsMesh(plot) && CaseOfPlot(plot, count) == studyCase.Index; });
+    {
+      const std::vector<int> numbers = NumbersOf(plot);
+      return std::any_of(numbers.begin(), numbers.end(),
+        [&](int number) { return CaseOfNumber(number, count) == studyCase.Index; });
+    });
 }
 
 void StudyFigures::KeepMesh(const StudyCase& studyCase, vtkPolyData* mesh)
@@ -69,13 +92,13 @@ void StudyFigures::KeepMesh(const StudyCase& studyCase, vtkPolyData* mesh)
   }
 }
 
-vtkPolyData* StudyFigures::FindMesh(const StudyPlot& plot) const
+vtkPolyData* StudyFigures::FindMesh(int number) const
 {
   const int count = static_cast<int>(this->Cases.size());
-  const int index = CaseOfPlot(plot, count);
+  const int index = CaseOfNumber(number, count);
   if (index < 0)
   {
-    throw std::runtime_error("it shows mesh " + std::to_string(plot.Case) + ", and there are " +
+    throw std::runtime_error("it shows mesh " + std::to_string(number) + ", and there are " +
       std::to_string(count) + " (0 is the first, -1 the last)");
   }
   const auto found = this->Meshes.find(index);
@@ -84,6 +107,33 @@ vtkPolyData* StudyFigures::FindMesh(const StudyPlot& plot) const
     throw std::runtime_error("its mesh, " + std::to_string(index) + ", was not made");
   }
   return found->second;
+}
+
+vtkSmartPointer<vtkTable> StudyFigures::MakeElements(const StudyPlot& plot) const
+{
+  std::vector<std::pair<std::string, vtkPolyData*>> meshes;
+  for (const int number : NumbersOf(plot))
+  {
+    vtkPolyData* mesh = this->FindMesh(number);
+    const int index = CaseOfNumber(number, static_cast<int>(this->Cases.size()));
+    meshes.emplace_back(this->Cases[static_cast<std::size_t>(index)].Name, mesh);
+  }
+  return MakeElementTable(meshes);
+}
+
+vtkSmartPointer<vtkPEMChart> StudyFigures::MakeChart(
+  const StudyPlot& plot, vtkTable* results, const ColumnLabels& labels) const
+{
+  if (!ShowsElements(plot))
+  {
+    return MakeResultChart(plot, results, labels);
+  }
+  StudyPlot asked = plot;
+  if (plot.Cases.size() > 1)
+  {
+    asked.Options.emplace("group-by", "Mesh");
+  }
+  return MakeResultChart(asked, this->MakeElements(plot), labels);
 }
 
 std::vector<std::string> StudyFigures::Write(
@@ -110,9 +160,13 @@ void StudyFigures::WriteOne(
 {
   const ColumnLabels labels(this->TheStudy, this->Solvers);
   vtkNew<vtkPEMFigure> figure;
+  if (!plot.StyleFile.empty() || !plot.Style.empty())
+  {
+    figure->SetStyle(MakeChartStyle(this->TheStudy.Folder, plot.StyleFile, plot.Style));
+  }
   if (plot.Kind == "mesh")
   {
-    auto view = MakeMeshView(this->FindMesh(plot), plot.ColorBy, labels);
+    auto view = MakeMeshView(this->FindMesh(plot.Case), plot.ColorBy, labels);
     view->SetHighlightByName(plot.Highlight);
     view->SetLogColor(!plot.Log.empty());
     view->SetTitle(plot.Title);
@@ -124,7 +178,13 @@ void StudyFigures::WriteOne(
   }
   else
   {
-    figure->AddPanel(MakeResultChart(plot, results, labels));
+    const auto chart = this->MakeChart(plot, results, labels);
+    figure->AddPanel(chart);
+    if (plot.Data)
+    {
+      std::filesystem::create_directories(file.parent_path());
+      WriteCsvFile(std::filesystem::path(file).replace_extension(".csv"), chart->MakeDataTable());
+    }
   }
   for (int i = 0; i < figure->GetNumberOfPanels(); ++i)
   {
@@ -143,9 +203,9 @@ void StudyFigures::WriteOne(
 void StudyFigures::AddOverview(
   const StudyPlot& plot, vtkPEMFigure* figure, vtkTable* results, const ColumnLabels& labels)
 {
-  vtkPolyData* mesh = this->FindMesh(plot);
-  const StudyCase& shown =
-    this->Cases[static_cast<std::size_t>(CaseOfPlot(plot, static_cast<int>(this->Cases.size())))];
+  vtkPolyData* mesh = this->FindMesh(plot.Case);
+  const StudyCase& shown = this->Cases[static_cast<std::size_t>(
+    CaseOfNumber(plot.Case, static_cast<int>(this->Cases.size())))];
   const bool generated = mesh->GetCellData()->GetArray("ElementFamily") != nullptr;
   auto families = MakeMeshView(mesh, generated ? "ElementFamily" : "", labels);
   families->SetColorTitle("");

@@ -16,6 +16,7 @@
 
 #include <vtkSmartPointer.h> // For the meshes kept
 
+class vtkPEMChart;
 class vtkPEMFigure;
 class vtkPolyData;
 class vtkTable;
@@ -54,7 +55,11 @@ private:
   /** Mesh, metric, solution and correlation on one page. */
   void AddOverview(
     const StudyPlot& plot, vtkPEMFigure* figure, vtkTable* results, const ColumnLabels& labels);
-  vtkPolyData* FindMesh(const StudyPlot& plot) const;
+  vtkPolyData* FindMesh(int number) const;
+  /** The elements of the meshes that a plot shows, as a table. */
+  vtkSmartPointer<vtkTable> MakeElements(const StudyPlot& plot) const;
+  vtkSmartPointer<vtkPEMChart> MakeChart(
+    const StudyPlot& plot, vtkTable* results, const ColumnLabels& labels) const;
 
   const Study& TheStudy;
   const std::vector<SolverDescription>& Solvers;

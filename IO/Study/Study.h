@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -179,13 +180,18 @@ struct StudyStatistics
 /** One figure. */
 struct StudyPlot
 {
-  std::string Kind; // line | scatter | mesh | overview
-  std::string X;    // a column (line and scatter)
-  std::vector<std::string> Y;
-  std::string Log; // "" | x | y | xy
+  std::string Kind;           // mesh | overview | one of ChartKinds()
+  std::string X;              // a column
+  std::vector<std::string> Y; // empty: all, where the kind allows it
+  std::string Log;            // "" | x | y | xy
   std::string ColorBy;
   std::string Highlight = "none"; // none | min | max | both (mesh): the extreme elements of ColorBy
   int Case = -1;                  // which mesh (mesh, overview); negative counts from the last one
+  std::vector<int> Cases;         // whose elements (kinds of elements); empty: Case
+  std::map<std::string, std::string> Options; // of ChartOptions, by name, as text
+  std::string StyleFile;                      // of a style; empty: the default
+  std::map<std::string, std::string> Style;   // what differs from it: of ChartStyle, as text
+  bool Data = false;                          // also the numbers behind it, as CSV
   std::string Title;
   std::string File; // with extension png, svg or pdf; never empty after reading, unique
   bool operator==(const StudyPlot&) const = default;

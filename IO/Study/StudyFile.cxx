@@ -147,6 +147,11 @@ Study MoveStudy(const Study& study, const fs::path& folder)
       solver.Solver = MovePath(solver.Solver, study.Folder, folder);
     }
   }
+  for (StudyPlot& plot : moved.Plots)
+  {
+    plot.StyleFile =
+      plot.StyleFile.empty() ? std::string() : MovePath(plot.StyleFile, study.Folder, folder);
+  }
   return moved;
 }
 

@@ -1,7 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ChartKinds.h"
+#include "ChartOptions.h"
+#include "SettingJson.h"
 #include "StudyFields.h"
 
+#include <algorithm>
+#include <functional>
 #include <set>
 
 namespace pemesh
@@ -12,20 +17,71 @@ namespace
 
 const std::vector<std::string> FigureExtensions{ ".png", ".svg", ".pdf" };
 
+const std::string ShowsMeshes = "the kinds mesh and overview";
+
 bool ShowsMesh(const StudyPlot& plot)
 {
   return plot.Kind == "mesh" || plot.Kind == "overview";
 }
 
+/** The entry of a chart; an overview has the axes of a scatter. Null for a mesh. */
+const ChartKind* KindOf(const StudyPlot& plot)
+{
+  return FindChartKind(plot.Kind == "overview" ? "scatter" : plot.Kind);
+}
+
 bool HasAxes(const StudyPlot& plot)
 {
-  return plot.Kind != "mesh";
+  return KindOf(plot) != nullptr;
+}
+
+bool IsOfElements(const StudyPlot& plot)
+{
+  const ChartKind* kind = KindOf(plot);
+  return kind && kind->OfElements;
+}
+
+/** "the kinds line, scatter and overview": those of the table that a function is true for. */
+std::string KindsWith(const std::function<bool(const StudyPlot&)>& has)
+{
+  std::vector<std::string> names = ChartKindNames();
+  names.insert(names.end(), { "mesh", "overview" });
+  std::erase_if(names,
+    [&has](const std::string& name)
+    {
+      StudyPlot plot;
+      plot.Kind = name;
+      return !has(plot);
+    });
+  std::string text = names.size() == 1 ? "the kind " : "the kinds ";
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  }
+  return text;
+}
+
+/** True for kinds that show all columns of numbers where none is named. */
+bool MayShowAll(const StudyPlot& plot)
+{
+  const ChartKind* kind = KindOf(plot);
+  return kind && (kind->LeastY > 1 || plot.Kind == "small-multiples");
+}
+
+std::vector<std::string> AllKinds()
+{
+  std::vector<std::string> names = ChartKindNames();
+  names.insert(names.end(), { "mesh", "overview" });
+  return names;
 }
 
 Field<StudyPlot> OrdinatesField()
 {
   Field<StudyPlot> field = TextsField("y", &StudyPlot::Y,
-    "Columns of the results; the name of a metric alone stands for its min, mean and max.");
+    "Columns; the name of a metric alone stands for its min, mean and max. Required but for the "
+    "kinds " +
+      KindsWith(MayShowAll).substr(10) + ", which take all columns of numbers.");
+  const auto write = field.Write;
   field.Read = [](const JsonValue& json, const DocumentPlace& place, StudyPlot& plot)
   {
     plot.Y = ReadTexts(json, place);
@@ -34,7 +90,88 @@ Field<StudyPlot> OrdinatesField()
       place.Fail("is empty: name at least one column.");
     }
   };
-  return std::move(field).Required().Only(HasAxes, "the kinds line, scatter and overview");
+  field.Write = [write](const StudyPlot& plot) -> std::optional<JsonValue>
+  { return plot.Y.empty() ? std::nullopt : write(plot); };
+  field.ReadMissing = [](const DocumentPlace& place, StudyPlot& plot)
+  {
+    if (!MayShowAll(plot))
+    {
+      place.Fail("is missing (text or list of texts).");
+    }
+  };
+  return std::move(field).Only(HasAxes, KindsWith(HasAxes));
+}
+
+/** One key for every option of a kind of chart. */
+Field<StudyPlot> OptionField(const SettingField<ChartOptions>& option)
+{
+  const std::string name = option.Name;
+  const auto has = [name](const StudyPlot& plot)
+  {
+    const ChartKind* kind = KindOf(plot);
+    return kind && plot.Kind != "overview" && HasOption(*kind, name);
+  };
+  const auto ofAll = std::all_of(ChartKinds().begin(), ChartKinds().end(),
+    [&name](const ChartKind& kind) { return HasOption(kind, name); });
+  Field<StudyPlot> field = { name, DescribeSetting(option), option.Description,
+    [option](const JsonValue& json, const DocumentPlace& place, StudyPlot& plot)
+    {
+      ChartOptions checked;
+      plot.Options[option.Name] =
+        ReadSettingJson(ChartOptionFields(), option, json, place, checked);
+    },
+    [option](const StudyPlot& plot) -> std::optional<JsonValue>
+    {
+      const auto found = plot.Options.find(option.Name);
+      return found == plot.Options.end() ? std::nullopt
+                                         : std::optional(SettingToJson(option, found->second));
+    } };
+  return std::move(field).Only(has, ofAll ? "charts" : KindsWith(has));
+}
+
+Field<StudyPlot> CasesField()
+{
+  Field<StudyPlot> field = { "cases", "list of integers",
+    "Whose elements, numbered as case; by default the last one's. Several are told apart by the "
+    "column Mesh.",
+    [](const JsonValue& json, const DocumentPlace& place, StudyPlot& plot)
+    {
+      plot.Cases.clear();
+      for (const JsonValue& item : ReadList(json, place))
+      {
+        const NumberRange range{ -static_cast<double>(MostCases), static_cast<double>(MostCases) };
+        plot.Cases.push_back(ReadInteger(item, place.Item(plot.Cases.size()), range));
+      }
+    },
+    [](const StudyPlot& plot) -> std::optional<JsonValue>
+    {
+      JsonValue::List list;
+      for (const int index : plot.Cases)
+      {
+        list.push_back(JsonValue{ std::int64_t{ index } });
+      }
+      return list.empty() ? std::nullopt : std::optional(JsonValue{ std::move(list) });
+    } };
+  return std::move(field).Only(IsOfElements, KindsWith(IsOfElements));
+}
+
+/** Named by its file, or given key by key. */
+Field<StudyPlot> StyleField()
+{
+  return { "style", "text or object",
+    "How it looks: the file of a style (.json, relative to the study), or keys of one: see `pemesh "
+    "list style`.",
+    [](const JsonValue& json, const DocumentPlace& place, StudyPlot& plot)
+    {
+      if (json.As<std::string>())
+      {
+        plot.StyleFile = ReadText(json, place);
+        return;
+      }
+      plot.Style = ReadStyleKeys(json, place, plot.StyleFile);
+    },
+    [](const StudyPlot& plot) -> std::optional<JsonValue>
+    { return WriteStyleKeys(plot.Style, plot.StyleFile); } };
 }
 
 Field<StudyPlot> LogarithmField()
@@ -49,7 +186,9 @@ Field<StudyPlot> LogarithmField()
   };
   field.Write = [](const StudyPlot& plot)
   { return JsonValue{ plot.Log.empty() ? std::string("none") : plot.Log }; };
-  return std::move(field).Only(HasAxes, "the kinds line, scatter and overview");
+  return std::move(field).Only([](const StudyPlot& plot)
+    { return HasAxes(plot) && KindOf(plot)->UsesLog; },
+    KindsWith([](const StudyPlot& plot) { return HasAxes(plot) && KindOf(plot)->UsesLog; }));
 }
 
 Field<StudyPlot> FileField()
@@ -74,8 +213,9 @@ Field<StudyPlot> FileField()
 std::string DefaultFigureName(const StudyPlot& plot)
 {
   std::string name = plot.Kind;
-  name += ShowsMesh(plot) ? (plot.ColorBy.empty() ? "" : "-" + plot.ColorBy)
-                          : "-" + plot.Y.front() + "-vs-" + plot.X;
+  name += ShowsMesh(plot)
+    ? (plot.ColorBy.empty() ? "" : "-" + plot.ColorBy)
+    : (plot.Y.empty() ? "" : "-" + plot.Y.front()) + (plot.X.empty() ? "" : "-vs-" + plot.X);
   for (char& c : name)
   {
     const bool isPlain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') ||
@@ -90,24 +230,35 @@ std::string DefaultFigureName(const StudyPlot& plot)
 FieldTable<StudyPlot> PlotFields()
 {
   FieldTable<StudyPlot> table;
-  table.Fields = { ChoiceField("kind", &StudyPlot::Kind, { "line", "scatter", "mesh", "overview" },
-                     "Line and scatter charts of the results, one mesh, or all of it side by side.")
+  constexpr auto usesX = [](const StudyPlot& plot) { return HasAxes(plot) && KindOf(plot)->UsesX; };
+  constexpr auto usesColor = [](const StudyPlot& plot)
+  { return !HasAxes(plot) || (KindOf(plot)->UsesColor && plot.Kind != "line"); };
+  table.Fields = { ChoiceField("kind", &StudyPlot::Kind, AllKinds(),
+                     "A chart (see `pemesh list charts`), one mesh, or all of it side by side.")
                      .Required(),
     TextField("x", &StudyPlot::X,
-      "A column of the results; by default the first swept parameter, or else Index.")
-      .Only(HasAxes, "the kinds line, scatter and overview"),
+      "A column; of results by default the first swept parameter, or else Index.")
+      .Only(usesX, KindsWith(usesX)),
     OrdinatesField(), LogarithmField(),
     TextField("color-by", &StudyPlot::ColorBy,
       "The column or the array of the mesh that gives the colours.")
-      .Only([](const StudyPlot& plot) { return plot.Kind != "line"; },
-        "the kinds scatter, mesh and overview"),
+      .Only(usesColor, KindsWith(usesColor)),
     ChoiceField("highlight", &StudyPlot::Highlight, { "none", "min", "max", "both" },
       "Which extreme elements of color-by are marked.")
       .Only([](const StudyPlot& plot) { return plot.Kind == "mesh"; }, "the kind mesh"),
     IntegerField("case", &StudyPlot::Case, -MostCases, MostCases,
       "Which mesh, from 0; negative numbers count from the last one, -1.")
-      .Only(ShowsMesh, "the kinds mesh and overview"),
-    TextField("title", &StudyPlot::Title, "Written above it."), FileField() };
+      .Only(ShowsMesh, ShowsMeshes),
+    CasesField() };
+  for (const SettingField<ChartOptions>& option : ChartOptionFields())
+  {
+    table.Fields.push_back(OptionField(option));
+  }
+  table.Fields.insert(table.Fields.end(),
+    { StyleField(), TextField("title", &StudyPlot::Title, "Written above it."), FileField(),
+      BooleanField(
+        "data", &StudyPlot::Data, "Whether the numbers behind it are written beside it, as CSV.")
+        .Only(HasAxes, KindsWith(HasAxes)) });
   return table;
 }
 
@@ -117,7 +268,9 @@ void FinishPlots(const DocumentPlace& place, Study& study)
   for (std::size_t i = 0; i < study.Plots.size(); ++i)
   {
     StudyPlot& plot = study.Plots[i];
-    if (HasAxes(plot) && plot.X.empty())
+    const ChartKind* kind = KindOf(plot);
+    if (kind && kind->UsesX && !kind->OfElements && plot.Kind != "correlation-matrix" &&
+      plot.X.empty())
     {
       plot.X = study.Sweep.empty() ? "Index" : study.Sweep.front().Name;
     }

@@ -218,7 +218,9 @@ TEST(StudyMessages, OfMetricsSolversAndOutput)
 TEST(StudyMessages, OfPlots)
 {
   EXPECT_EQ(ComplaintAbout(Polygons(R"("plots": [{"kind": "lines"}])")),
-    "\"s.json\": plots[0].kind is \"lines\"; did you mean \"line\"? (one of line, scatter, mesh, "
+    "\"s.json\": plots[0].kind is \"lines\"; did you mean \"line\"? (one of line, scatter, "
+    "small-multiples, scatter-matrix, correlation-matrix, histogram, box, violin, convergence, "
+    "element-scatter, mesh, "
     "overview)");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("plots": [{"kind": "line"}])")),
     "\"s.json\": plots[0].y is missing (text or list of texts).");
@@ -227,7 +229,8 @@ TEST(StudyMessages, OfPlots)
   EXPECT_EQ(ComplaintAbout(Polygons(R"("plots": [{"kind": "line", "y": ["a", 1]}])")),
     "\"s.json\": plots[0].y[1] is 1 where a text is expected.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("plots": [{"kind": "mesh", "x": "t"}])")),
-    "\"s.json\": plots[0].x does not apply here: it is a key of the kinds line, scatter and "
+    "\"s.json\": plots[0].x does not apply here: it is a key of the kinds line, scatter, "
+    "small-multiples, correlation-matrix, convergence, element-scatter and "
     "overview.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("plots": [{"kind": "line", "y": "a", "log": "z"}])")),
     "\"s.json\": plots[0].log is \"z\"; did you mean \"x\"? (one of none, x, y, xy)");
