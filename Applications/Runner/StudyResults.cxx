@@ -17,6 +17,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -70,6 +71,29 @@ void RemoveMessages(vtkTable* results, const std::vector<std::string>& runs)
 
 } // namespace
 
+std::string SentenceOf(const StudyFailure& failure)
+{
+  return failure.Mesh + ": " + (failure.Stage == "mesh" ? std::string() : failure.Stage + ": ") +
+    failure.Message;
+}
+
+vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(mesh);
+  vtkFieldData* fields = copy->GetFieldData();
+  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(MeasuredList)))
+  {
+    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
+    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
+    {
+      fields->RemoveArray(kept->GetValue(i).c_str());
+    }
+    fields->RemoveArray(MeasuredList);
+  }
+  return copy;
+}
+
 StudyResults::StudyResults(const Study& study, const std::vector<StudyCase>& cases)
   : Cases(cases)
   , Rows(cases.size())
@@ -82,13 +106,22 @@ StudyResults::StudyResults(const Study& study, const std::vector<StudyCase>& cas
 
 StudyResults::~StudyResults() = default;
 
-void StudyResults::AddRow(const StudyCase& studyCase, vtkTable* row)
+std::string StudyResults::AddRow(const StudyCase& studyCase, vtkTable* row)
 {
   auto copy = vtkSmartPointer<vtkTable>::New();
   copy->DeepCopy(row);
   const std::scoped_lock lock(this->Mutex);
   this->Rows[static_cast<std::size_t>(studyCase.Index)] = copy;
+  const std::size_t before = this->Failures.size();
   this->KeepFailures(studyCase, copy);
+  std::string line;
+  for (std::size_t i = before; i < this->Failures.size(); ++i)
+  {
+    line += (line.empty() ? "" : "\n") + SentenceOf(this->Failures[i]);
+  }
+  return line.empty()
+    ? studyCase.Name + ": " + copy->GetValueByName(0, "Elements").ToString() + " elements"
+    : line;
 }
 
 void StudyResults::AddFailure(const StudyFailure& failure)

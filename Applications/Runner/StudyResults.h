@@ -13,6 +13,7 @@
 
 #include <vtkSmartPointer.h> // For the tables
 
+class vtkPolyData;
 class vtkTable;
 
 namespace pemesh
@@ -31,14 +32,24 @@ struct StudyFailure
   std::string Message;
 };
 
+/** "009: pemesh-vem: it took longer than its time limit." */
+std::string SentenceOf(const StudyFailure& failure);
+
+/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
+ */
+vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh);
+
 class StudyResults
 {
 public:
   StudyResults(const Study& study, const std::vector<StudyCase>& cases);
   ~StudyResults();
 
-  /** Keeps a copy of the row of a case, and what failed in it. May be called from any thread. */
-  void AddRow(const StudyCase& studyCase, vtkTable* row);
+  /**
+   * Keeps a copy of the row of a case, and what failed in it. Answers with what a log should say of
+   * the case. May be called from any thread.
+   */
+  std::string AddRow(const StudyCase& studyCase, vtkTable* row);
 
   /** A failure that the row does not tell. May be called from any thread. */
   void AddFailure(const StudyFailure& failure);

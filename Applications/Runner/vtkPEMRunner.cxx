@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMRunner.h"
 
-#include "CaseStatus.h"
 #include "CsvTable.h"
 #include "MeshFormats.h"
 #include "SolverCommand.h"
@@ -26,11 +25,9 @@
 #include <thread>
 
 #include <vtkCommand.h>
-#include <vtkFieldData.h>
 #include <vtkObjectFactory.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 
 namespace fs = std::filesystem;
@@ -55,25 +52,6 @@ void CheckOutputFolder(const fs::path& folder)
   }
 }
 
-/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
- */
-vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(mesh);
-  vtkFieldData* fields = copy->GetFieldData();
-  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(pemesh::MeasuredList)))
-  {
-    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
-    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
-    {
-      fields->RemoveArray(kept->GetValue(i).c_str());
-    }
-    fields->RemoveArray(pemesh::MeasuredList);
-  }
-  return copy;
-}
-
 } // namespace
 
 class vtkPEMRunner::Internals
@@ -89,6 +67,7 @@ public:
   void Work(int threads);
   void ExecuteCase(pemesh::StudyPipeline& pipeline, const pemesh::StudyCase& studyCase);
   void WriteMeshes(const pemesh::StudyCase& studyCase, vtkPolyData* mesh);
+  void Log(const std::string& line);
   void WaitForWorkers(std::vector<std::thread>& workers);
   void SaveResults();
   void Correlate();
@@ -124,6 +103,7 @@ public:
   std::condition_variable Changed;
   std::size_t CasesDone = 0;
   std::size_t WorkersDone = 0;
+  std::vector<std::string> Lines; // of the log, not yet told
   std::string WrongConfiguration;
 };
 
@@ -184,7 +164,7 @@ void vtkPEMRunner::Internals::WriteMeshes(const pemesh::StudyCase& studyCase, vt
     return; // its status says why
   }
   const fs::path folder = this->MeshesOnly ? this->Output : this->Output / "meshes";
-  const vtkSmartPointer<vtkPolyData> saved = WithoutMeasured(mesh);
+  const vtkSmartPointer<vtkPolyData> saved = pemesh::WithoutMeasured(mesh);
   for (const std::string& name : this->Study.Output.Formats)
   {
     const pemesh::MeshFormat* format = pemesh::FindMeshFormat(name);
@@ -213,7 +193,7 @@ void vtkPEMRunner::Internals::ExecuteCase(
     this->Results->AddFailure(
       { studyCase.Index, studyCase.Name, "output", "not-written", error.what() });
   }
-  this->Results->AddRow(studyCase, pipeline.GetRow());
+  this->Log(this->Results->AddRow(studyCase, pipeline.GetRow()));
   this->Figures->KeepMesh(studyCase, pipeline.GetMesh());
 }
 
@@ -248,6 +228,12 @@ void vtkPEMRunner::Internals::Work(int threads)
   this->Changed.notify_one();
 }
 
+void vtkPEMRunner::Internals::Log(const std::string& line)
+{
+  const std::scoped_lock lock(this->Mutex);
+  this->Lines.push_back(line);
+}
+
 void vtkPEMRunner::Internals::WaitForWorkers(std::vector<std::thread>& workers)
 {
   std::unique_lock lock(this->Mutex);
@@ -256,7 +242,13 @@ void vtkPEMRunner::Internals::WaitForWorkers(std::vector<std::thread>& workers)
     this->Changed.wait(lock);
     double fraction =
       static_cast<double>(this->CasesDone) / static_cast<double>(this->Cases.size());
+    std::vector<std::string> lines;
+    lines.swap(this->Lines);
     lock.unlock();
+    for (std::string& line : lines)
+    {
+      this->Self->InvokeEvent(vtkPEMRunner::LogEvent, line.data());
+    }
     this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
     lock.lock();
   }
@@ -309,8 +301,7 @@ void vtkPEMRunner::Internals::SaveResults()
   }
   for (const pemesh::StudyFailure& failure : this->Results->GetFailures())
   {
-    this->Messages.push_back(failure.Mesh + ": " +
-      (failure.Stage == "mesh" ? std::string() : failure.Stage + ": ") + failure.Message);
+    this->Messages.push_back(pemesh::SentenceOf(failure));
   }
   if (this->MeshesOnly || this->Results->GetResults()->GetNumberOfRows() == 0)
   {

@@ -21,7 +21,8 @@
  *
  * A case that fails is a row with its status; the others are done and saved.
  *
- * Events: ProgressEvent with the fraction done (const double*), in the thread that called Run().
+ * Events, in the thread that called Run(): ProgressEvent with the fraction done (const double*);
+ * LogEvent with what a log should say of a case that is done (const char*).
  * @sa vtkPEMSeriesTable
  */
 #ifndef vtkPEMRunner_h
@@ -33,6 +34,7 @@
 #include <string> // For arguments
 #include <vector> // For arguments
 
+#include <vtkCommand.h> // For the numbers of events
 #include <vtkObject.h>
 
 class vtkTable;
@@ -43,6 +45,11 @@ public:
   static vtkPEMRunner* New();
   vtkTypeMacro(vtkPEMRunner, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EventType
+  {
+    LogEvent = vtkCommand::UserEvent + 1
+  };
 
   ///@{
   /**

@@ -27,6 +27,7 @@ const FieldTable<Study>& StudyFields();
 const FieldTable<StudyPolygon>& PolygonFields();
 Field<Study> PolygonsField();
 Field<Study> ScatterField();
+FieldTable<StudyScatter> ScatterFields();
 FieldTable<StudySweep> SweepFields();
 FieldTable<StudyDomain> DomainFields();
 FieldTable<StudyMesh> MeshFields();

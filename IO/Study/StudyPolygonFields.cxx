@@ -107,7 +107,8 @@ Field<StudyPolygon> CenterField()
   return { "center", "[x, y]", "Where the middle of its bounding box goes.",
     [](const JsonValue& json, const DocumentPlace& place, StudyPolygon& polygon)
     { polygon.Center = ReadPair(json, place, {}); },
-    [](const StudyPolygon& polygon) { return WritePair(polygon.Center); } };
+    [](const StudyPolygon& polygon) { return WritePair(polygon.Center); }, {}, {}, false, {}, {},
+    [](const StudyPolygon&) { return ValueForm{ ValueForm::Pair }; } };
 }
 
 // --- scatter -------------------------------------------------------------------------------------
@@ -157,7 +158,7 @@ Field<StudyScatter> SeedField()
   return field;
 }
 
-FieldTable<StudyScatter> ScatterFields()
+FieldTable<StudyScatter> ScatterTable()
 {
   const NumberRange positive{ .Least = 0.0, .ExcludesLeast = true };
   FieldTable<StudyScatter> table;
@@ -188,6 +189,11 @@ FieldTable<StudyScatter> ScatterFields()
 }
 
 } // namespace
+
+FieldTable<StudyScatter> ScatterFields()
+{
+  return ScatterTable();
+}
 
 const FieldTable<StudyPolygon>& PolygonFields()
 {

@@ -17,7 +17,9 @@ Field<StudySolver> TimeLimitField()
     [](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
     { solver.TimeLimit = ReadNumber(json, place, { .Least = 0.0 }); },
     [](const StudySolver& solver)
-    { return solver.TimeLimit ? std::optional(JsonNumber(*solver.TimeLimit)) : std::nullopt; } };
+    { return solver.TimeLimit ? std::optional(JsonNumber(*solver.TimeLimit)) : std::nullopt; },
+    {}, {}, false, {}, {},
+    [](const StudySolver&) { return NumberRange{ .Least = 0.0 }.FormOf(ValueForm::Number); } };
 }
 
 /** The order of a run, for its name, or "". */
