@@ -3,6 +3,7 @@
 #include "ChartPainter.h"
 
 #include "ColorBar.h"
+#include "MarkPainter.h"
 
 #include <vtkContext2D.h>
 #include <vtkContextDevice2D.h>
@@ -17,440 +18,293 @@ namespace pemesh
 namespace
 {
 
-// In ems.
-constexpr double TickLength = 0.35;
-constexpr double MinorTickLength = 0.2;
-constexpr double TickGap = 0.25;
-constexpr double TitleGap = 0.45;
-constexpr double AxisWidth = 0.08;
-constexpr double GridWidth = 0.06;
-constexpr double LineWidth = 0.16;
-
-PanelText TickStyle(int horizontal, int vertical)
+/** The least and greatest of the values that colour the marks. */
+struct ValueRange
 {
-  PanelText style;
-  style.Size = 0.9;
-  style.Horizontal = horizontal;
-  style.Vertical = vertical;
-  return style;
-}
+  double Low = NoValue;
+  double High = NoValue;
+  bool Logarithmic = false;
 
-PanelText AxisTitleStyle(double angle)
-{
-  PanelText style;
-  style.Horizontal = 0;
-  style.Vertical = angle == 0.0 ? -1 : 1;
-  style.Angle = angle;
-  return style;
-}
-
-/** A reader of a multiplier sees it at the end of its axis. */
-constexpr double MultiplierHeight = 1.2;
+  void Add(double value)
+  {
+    if (std::isfinite(value) && (!this->Logarithmic || value > 0.0))
+    {
+      this->Low = std::fmin(this->Low, value);
+      this->High = std::fmax(this->High, value);
+    }
+  }
+};
 
 } // namespace
 
 ChartPainter::ChartPainter(
-  vtkContext2D* context, double em, const ChartData& data, const ChartStyle& style)
-  : Painter(context, em)
-  , Data(data)
-  , Style(style)
-  , Em(em)
+  PanelPainter& painter, const ChartPicture& picture, const ChartView& view)
+  : Painter(painter)
+  , Picture(picture)
+  , View(view)
+  , Em(painter.Em())
 {
+  for (const ChartPlot& plot : picture.Plots)
+  {
+    this->Axes.emplace_back(painter, plot, view.RangeOf(plot.X), view.RangeOf(plot.Y));
+  }
 }
 
-double ChartPainter::DeviceX(double x) const
+bool ChartPainter::IsCounted(const ChartPlot& plot) const
 {
-  const AxisRange& range = this->Data.X;
-  return this->Plot.X + this->Plot.Width * (x - range.Low) / (range.High - range.Low);
-}
-
-double ChartPainter::DeviceY(double y) const
-{
-  const AxisRange& range = this->Data.Y;
-  return this->Plot.Y + this->Plot.Height * (y - range.Low) / (range.High - range.Low);
+  return plot.IsDensity && !plot.LegendIsNeeded && !plot.AllSeries.empty() &&
+    plot.AllSeries[0].Values.empty();
 }
 
 void ChartPainter::MakeColorScale()
 {
-  this->Colors.Map = FindColorMap("viridis");
-  this->Colors.Logarithmic = this->Style.LogColor;
-  double low = NAN;
-  double high = NAN;
-  for (const double value : this->Data.Colors)
+  ValueRange range;
+  const ChartPlot& first = this->Picture.Plots.front();
+  range.Logarithmic = first.LogColor;
+  for (const ChartPlot& plot : this->Picture.Plots)
   {
-    if (std::isfinite(value) && (!this->Style.LogColor || value > 0.0))
+    for (const ChartSeries& series : plot.AllSeries)
     {
-      low = std::fmin(low, value);
-      high = std::fmax(high, value);
+      std::for_each(
+        series.Values.begin(), series.Values.end(), [&range](double value) { range.Add(value); });
+    }
+    for (const ChartBar& bar : plot.Bars)
+    {
+      range.Add(bar.HasValue ? bar.Value : NoValue);
+    }
+    if (this->IsCounted(plot))
+    {
+      range.Add(1.0);
+      range.Add(static_cast<double>(plot.AllSeries[0].X.size())); // until they are counted
+      range.Logarithmic = true;
     }
   }
-  this->HasColorBar = !std::isnan(low);
-  this->Colors.Low = this->HasColorBar ? low : 1.0;
-  this->Colors.High = this->HasColorBar ? high : 1.0;
+  const std::string& name =
+    first.ColorMap.empty() ? this->Painter.Style().ColorMap : first.ColorMap;
+  this->Colors.Map = FindColorMap(name) ? FindColorMap(name) : FindColorMap("viridis");
+  this->Colors.Logarithmic = range.Logarithmic;
+  const bool any = !std::isnan(range.Low);
+  const bool fixed = std::isfinite(first.ColorRange[0]);
+  this->Colors.Low = fixed ? first.ColorRange[0] : any ? range.Low : 1.0;
+  this->Colors.High = fixed ? first.ColorRange[1] : any ? range.High : 1.0;
+  this->HasColorBar = any && first.HasColorBar && this->Painter.Style().ColorBar;
+}
+
+/** Once the plots have their places, a density knows its greatest count. */
+void ChartPainter::CountDensest()
+{
+  int largest = 0;
+  for (std::size_t i = 0; i < this->Axes.size(); ++i)
+  {
+    if (this->IsCounted(this->Picture.Plots[i]))
+    {
+      const PointDensity density = CountPoints(this->Picture.Plots[i].AllSeries[0],
+        this->Axes[i].Placement(), MarkPainter::DensityCell * this->Em);
+      largest = std::max(largest, density.Largest);
+    }
+  }
+  this->Colors.High = largest > 0 ? largest : this->Colors.High;
 }
 
 std::vector<LegendEntry> ChartPainter::MakeLegend() const
 {
   std::vector<LegendEntry> entries;
-  const bool hasBand = std::any_of(this->Data.AllSeries.begin(), this->Data.AllSeries.end(),
-    [](const ChartSeries& series) { return !series.Lower.empty(); });
-  const bool isTold = this->Data.AllSeries.size() > 1 || this->Data.HasClasses || hasBand;
-  if (!this->Style.ShowLegend || !isTold)
+  const ChartPlot& plot = this->Picture.Plots.front();
+  const auto shown = std::count_if(plot.AllSeries.begin(), plot.AllSeries.end(),
+    [](const ChartSeries& series) { return series.InLegend; });
+  if (!this->View.ShowLegend || this->Painter.Style().Legend == "none" ||
+    !(shown > 1 || plot.LegendIsNeeded))
   {
     return entries;
   }
-  for (const ChartSeries& series : this->Data.AllSeries)
+  for (const ChartSeries& series : plot.AllSeries)
   {
-    LegendEntry entry;
-    entry.Text = series.Label;
-    entry.Color = SeriesColor(series.Style);
-    entry.Band = !series.Lower.empty();
-    if (!series.Y.empty())
+    if (series.InLegend)
     {
-      entry.LineType = this->Style.JoinPoints ? this->LineType(series) : int(vtkPen::NO_PEN);
-      entry.Marker = this->MarksPoints() ? SeriesMarker(series.Style) : int(VTK_MARKER_NONE);
+      LegendEntry entry;
+      entry.Text = series.Label;
+      entry.Color = this->Painter.ColorOfSeries(series.Style);
+      entry.Band = !series.Lower.empty();
+      entry.LineType = MarkPainter::LineTypeOf(this->Painter, plot, series);
+      entry.Marker = MarkPainter::MarkerOf(this->Painter, plot, series);
+      entry.Patch = plot.IsDensity;
+      entries.push_back(entry);
     }
-    entries.push_back(entry);
   }
   return entries;
 }
 
-int ChartPainter::LineType(const ChartSeries& series) const
+void ChartPainter::TakeLegend(Box& box)
 {
-  // Markers already tell series apart, and dashes between them are hard to follow.
-  return this->MarksPoints() ? int(vtkPen::SOLID_LINE) : SeriesLineType(series.Style);
-}
-
-bool ChartPainter::MarksPoints() const
-{
-  constexpr std::size_t many = 60;
-  return !this->Style.JoinPoints || this->Data.AllSeries.empty() ||
-    this->Data.AllSeries[0].X.size() <= many;
-}
-
-double ChartPainter::MarkerSize() const
-{
-  const double rows =
-    this->Data.AllSeries.empty() ? 1.0 : static_cast<double>(this->Data.AllSeries[0].X.size());
-  const double size = this->Style.JoinPoints ? 0.55 : 0.7;
-  return std::clamp(size * std::pow(50.0 / std::max(rows, 1.0), 0.25), 0.25, size);
-}
-
-void ChartPainter::LayOut(Box box)
-{
-  const double em = this->Em;
-  this->Painter.TakeTitle(box, this->Style.Title);
-  this->Painter.TakeNote(box, this->Style.Note);
-  const double legendHeight = this->Painter.LegendHeight(this->Legend, box.Width);
-  this->LegendTop = box.Top();
-  box.Height -= legendHeight > 0.0 ? legendHeight + 0.3 * em : 0.0;
-  // Heights first: they decide how many labels the y axis has, and so its width.
-  this->LayOutHeights(box);
-  this->LayOutWidths(box);
-}
-
-void ChartPainter::LayOutHeights(const Box& box)
-{
-  const double em = this->Em;
-  const PanelText labels = TickStyle(0, 0);
-  const PanelText titles = AxisTitleStyle(0.0);
-  this->FittedXTitle = this->Painter.Fit(this->Style.XTitle, box.Width, 2, titles);
-  const double below = (TickLength + TickGap) * em + labels.Size * LineSpacing * em +
-    (this->FittedXTitle.empty()
-        ? 0.0
-        : TitleGap * em + this->Painter.TextHeight(this->FittedXTitle, titles));
-  this->Plot.Y = box.Y + below;
-  // Half a label of the y axis stands out above.
-  this->Plot.Height = std::max(em, box.Top() - this->Plot.Y - 0.5 * em);
-  const auto chooseYTicks = [this, em]()
+  this->Legend = this->MakeLegend();
+  if (this->Legend.empty())
   {
-    const int maximum = std::clamp(static_cast<int>(this->Plot.Height / (2.2 * em)), 2, 8);
-    this->YTicks = this->Style.LogY ? MakeLogTicks(this->Data.Y.Low, this->Data.Y.High, maximum)
-                                    : MakeLinearTicks(this->Data.Y.Low, this->Data.Y.High, maximum);
-  };
-  chooseYTicks();
-  if (!this->YTicks.Multiplier.empty())
-  {
-    this->Plot.Height = std::max(em, this->Plot.Height - (MultiplierHeight - 0.5) * em);
-    chooseYTicks();
+    return;
   }
+  const std::string& where = this->Painter.Style().Legend;
+  this->LegendBox = box;
+  if (where == "right")
+  {
+    const double width = std::min(0.4 * box.Width, this->Painter.LegendWidth(this->Legend));
+    this->LegendBox.X = box.Right() - width;
+    this->LegendBox.Width = width;
+    box.Width -= width + this->Em;
+    return;
+  }
+  const double height = this->Painter.LegendHeight(this->Legend, box.Width);
+  const double taken = height + 0.3 * this->Em;
+  this->LegendBox.Height = height;
+  this->LegendBox.Y = where == "bottom" ? box.Y : box.Top() - height;
+  box.Height -= taken;
+  box.Y += where == "bottom" ? taken : 0.0;
 }
 
-void ChartPainter::LayOutWidths(const Box& box)
+void ChartPainter::DrawLegend()
 {
-  const double em = this->Em;
-  const PanelText labels = TickStyle(0, 0);
-  const PanelText titles = AxisTitleStyle(0.0);
-  this->YLabelWidth = 0.0;
-  for (const AxisTick& tick : this->YTicks.Ticks)
+  if (this->Legend.empty())
   {
-    this->YLabelWidth = std::max(this->YLabelWidth, this->Painter.TextWidth(tick.Label, labels));
+    return;
   }
-  this->FittedYTitle = this->Painter.Fit(this->Style.YTitle, this->Plot.Height, 2, titles);
-  const double left = (TickLength + TickGap) * em + this->YLabelWidth +
-    (this->FittedYTitle.empty()
-        ? 0.0
-        : TitleGap * em + this->Painter.TextHeight(this->FittedYTitle, titles));
-  this->Plot.X = box.X + left;
-  this->ColorBarRight = box.Right();
-  const double right = this->HasColorBar
-    ? ColorBarWidth(this->Painter, this->Colors, this->Style.ColorTitle, this->Plot.Height)
-    : 0.6 * em;
-  this->Plot.Width = std::max(em, box.Width - left - right);
-  this->ChooseXTicks();
-  // The last label may stand out on the right.
-  double end = 0.0;
-  for (const AxisTick& tick : this->XTicks.Ticks)
+  Box box = this->LegendBox;
+  if (this->Painter.Style().Legend != "right")
   {
-    end = std::max(
-      end, this->DeviceX(tick.Position) + 0.5 * this->Painter.TextWidth(tick.Label, labels));
-  }
-  if (end > box.Right())
-  {
-    this->Plot.Width = std::max(em, this->Plot.Width - (end - box.Right()));
-    this->ChooseXTicks();
-  }
-  const double multiplier = this->Painter.TextWidth(this->XTicks.Multiplier, labels);
-  if (multiplier > 0.0)
-  {
-    // It stands beside the title, which must not need more lines for that.
-    const double room = this->Plot.Width - 2.0 * (multiplier + em);
-    const auto titleLines =
-      1 + static_cast<int>(std::count(this->FittedXTitle.begin(), this->FittedXTitle.end(), '\n'));
-    this->FittedXTitle =
-      this->Painter.Fit(this->Style.XTitle, std::max(room, em), titleLines, titles);
-  }
-}
-
-void ChartPainter::ChooseXTicks()
-{
-  // As many as leave a gap between neighbouring labels.
-  const double gap = 0.9 * this->Em;
-  for (int maximum = std::clamp(static_cast<int>(this->Plot.Width / (3.0 * this->Em)), 2, 10);;
-       --maximum)
-  {
-    this->XTicks = this->Style.LogX ? MakeLogTicks(this->Data.X.Low, this->Data.X.High, maximum)
-                                    : MakeLinearTicks(this->Data.X.Low, this->Data.X.High, maximum);
-    double end = -1e30;
-    bool fits = true;
-    for (AxisTick& tick : this->XTicks.Ticks)
+    // In line with the plot area, unless that costs a row that was not reckoned with.
+    const double left = this->Axes.front().Placement().Area.X;
+    const double fromPlot = box.Right() - left;
+    if (this->Painter.LegendHeight(this->Legend, fromPlot) <=
+      this->Painter.LegendHeight(this->Legend, box.Width))
     {
-      if (!tick.Label.empty())
+      box.X = left;
+      box.Width = fromPlot;
+    }
+  }
+  this->Painter.DrawLegend(box, this->Legend);
+}
+
+void ChartPainter::LayOutPlots(const Box& box)
+{
+  const auto count = static_cast<int>(this->Axes.size());
+  const int columns = std::max(1, std::min(this->Picture.Columns, count));
+  const int rows = (count + columns - 1) / columns;
+  const double gap = this->Picture.IsMatrix ? 0.0 : 0.6 * this->Em;
+  const double height = std::max(this->Em, (box.Height - gap * (rows - 1)) / rows);
+  const double width = std::max(this->Em, (box.Width - gap * (columns - 1)) / columns);
+  if (!this->Picture.IsMatrix)
+  {
+    const auto cell = [&](int i)
+    {
+      return Box{ box.X + (i % columns) * (width + gap),
+        box.Top() - (i / columns) * (height + gap) - height, width, height };
+    };
+    PlotMargins margins; // alike for all, so that the plots are in line
+    for (int pass = 0; pass < 2; ++pass)
+    {
+      for (int i = 0; i < count; ++i)
       {
-        const double half = 0.5 * this->Painter.TextWidth(tick.Label, TickStyle(0, 1));
-        const double middle = this->DeviceX(tick.Position);
-        fits = fits && middle - half >= end;
-        end = middle + half + gap;
+        PlotAxes& axes = this->Axes[static_cast<std::size_t>(i)];
+        axes.LayOut(cell(i), margins);
+      }
+      for (const PlotAxes& axes : this->Axes)
+      {
+        margins.Include(axes.Margins());
       }
     }
-    if (fits || maximum <= 2)
-    {
-      return;
-    }
+    return;
+  }
+  // In a matrix only the left and lower plots have labels: these get more room.
+  PlotMargins outer;
+  for (int i = 0; i < count; ++i)
+  {
+    this->Axes[static_cast<std::size_t>(i)].LayOut({ box.X, box.Y, width, height });
+    outer.Include(this->Axes[static_cast<std::size_t>(i)].Margins());
+  }
+  const double inner = 0.35 * this->Em;
+  const double plotWidth = std::max(this->Em, (box.Width - outer.Left) / columns - 2.0 * inner);
+  const double plotHeight = std::max(this->Em, (box.Height - outer.Bottom) / rows - 2.0 * inner);
+  for (int i = 0; i < count; ++i)
+  {
+    const double left = i % columns == 0 ? outer.Left : inner;
+    const double bottom = i / columns == rows - 1 ? outer.Bottom : inner;
+    const double x = box.X + outer.Left + (i % columns) * (plotWidth + 2.0 * inner);
+    const double y = box.Top() - (i / columns + 1) * (plotHeight + 2.0 * inner) + inner;
+    this->Axes[static_cast<std::size_t>(i)].LayOut(
+      { x - left, y - bottom, plotWidth + left + inner, plotHeight + bottom + inner },
+      { left, inner, bottom, inner });
   }
 }
 
-void ChartPainter::DrawGrid()
+void ChartPainter::DrawPlot(std::size_t index)
 {
-  for (const AxisTick& tick : this->XTicks.Ticks)
-  {
-    const double x = this->DeviceX(tick.Position);
-    if (tick.Major && x > this->Plot.X + 1e-3 * this->Em)
-    {
-      this->Painter.Line(x, this->Plot.Y, x, this->Plot.Top(), GridWidth, GridInk);
-    }
-  }
-  for (const AxisTick& tick : this->YTicks.Ticks)
-  {
-    const double y = this->DeviceY(tick.Position);
-    if (tick.Major && y > this->Plot.Y + 1e-3 * this->Em)
-    {
-      this->Painter.Line(this->Plot.X, y, this->Plot.Right(), y, GridWidth, GridInk);
-    }
-  }
-}
-
-void ChartPainter::DrawXAxis()
-{
-  const Box& plot = this->Plot;
-  this->Painter.Line(plot.X, plot.Y, plot.Right(), plot.Y, AxisWidth, AxisInk);
-  const double labelTop = plot.Y - (TickLength + TickGap) * this->Em;
-  for (const AxisTick& tick : this->XTicks.Ticks)
-  {
-    const double x = this->DeviceX(tick.Position);
-    const double length = (tick.Major ? TickLength : MinorTickLength) * this->Em;
-    this->Painter.Line(x, plot.Y, x, plot.Y - length, AxisWidth, AxisInk);
-    this->Painter.Text(x, labelTop, tick.Label, TickStyle(0, 1));
-  }
-  const PanelText labels = TickStyle(1, 1);
-  const double titleTop = labelTop - (labels.Size * LineSpacing + TitleGap) * this->Em;
-  this->Painter.Text(
-    plot.Right(), labelTop - labels.Size * LineSpacing * this->Em, this->XTicks.Multiplier, labels);
-  PanelText title = AxisTitleStyle(0.0);
-  title.Vertical = 1;
-  this->Painter.Text(plot.MiddleX(), titleTop, this->FittedXTitle, title);
-}
-
-void ChartPainter::DrawYAxis()
-{
-  const Box& plot = this->Plot;
-  this->Painter.Line(plot.X, plot.Y, plot.X, plot.Top(), AxisWidth, AxisInk);
-  const double labelRight = plot.X - (TickLength + TickGap) * this->Em;
-  for (const AxisTick& tick : this->YTicks.Ticks)
-  {
-    const double y = this->DeviceY(tick.Position);
-    const double length = (tick.Major ? TickLength : MinorTickLength) * this->Em;
-    this->Painter.Line(plot.X, y, plot.X - length, y, AxisWidth, AxisInk);
-    this->Painter.Text(labelRight, y, tick.Label, TickStyle(1, 0));
-  }
-  this->Painter.Text(plot.X - TickLength * this->Em, plot.Top() + 0.15 * this->Em,
-    this->YTicks.Multiplier, TickStyle(-1, -1));
-  PanelText title = AxisTitleStyle(90.0);
-  title.Vertical = -1;
-  this->Painter.Text(labelRight - this->YLabelWidth - TitleGap * this->Em, plot.MiddleY(),
-    this->FittedYTitle, title);
-}
-
-void ChartPainter::DrawBand(const ChartSeries& series)
-{
-  // One polygon for every run of rows without a gap: there along the lower values, back along the
-  // upper ones.
-  ChartColor color = SeriesColor(series.Style);
-  color[3] = 60;
-  std::vector<float> there;
-  std::vector<float> back;
-  const auto finish = [&]()
-  {
-    for (std::size_t i = back.size(); i > 0; i -= 2)
-    {
-      there.push_back(back[i - 2]);
-      there.push_back(back[i - 1]);
-    }
-    if (there.size() >= 8)
-    {
-      this->Painter.SetPen(0.0, color, vtkPen::NO_PEN);
-      this->Painter.SetBrush(color);
-      this->Painter.Context()->DrawPolygon(there.data(), static_cast<int>(there.size() / 2));
-    }
-    there.clear();
-    back.clear();
-  };
-  for (std::size_t row = 0; row < series.Lower.size(); ++row)
-  {
-    if (std::isnan(series.X[row]) || std::isnan(series.Lower[row]) || std::isnan(series.Upper[row]))
-    {
-      finish();
-      continue;
-    }
-    const auto x = static_cast<float>(this->DeviceX(series.X[row]));
-    there.push_back(x);
-    there.push_back(static_cast<float>(this->DeviceY(series.Lower[row])));
-    back.push_back(x);
-    back.push_back(static_cast<float>(this->DeviceY(series.Upper[row])));
-  }
-  finish();
-}
-
-void ChartPainter::DrawLines(const ChartSeries& series)
-{
-  const ChartColor color = SeriesColor(series.Style);
-  const int lineType = this->LineType(series);
-  std::vector<float> run;
-  const auto finish = [&]()
-  {
-    if (run.size() == 2 && !this->MarksPoints())
-    {
-      // A value between two gaps has no line to be seen by.
-      this->Painter.Marker(SeriesMarker(series.Style), run[0], run[1], this->MarkerSize(), color);
-    }
-    this->Painter.Poly(run, LineWidth, color, lineType);
-    run.clear();
-  };
-  for (std::size_t row = 0; row < series.Y.size(); ++row)
-  {
-    if (std::isnan(series.X[row]) || std::isnan(series.Y[row]))
-    {
-      finish();
-      continue;
-    }
-    run.push_back(static_cast<float>(this->DeviceX(series.X[row])));
-    run.push_back(static_cast<float>(this->DeviceY(series.Y[row])));
-  }
-  finish();
-}
-
-void ChartPainter::DrawMarkers(const ChartSeries& series)
-{
-  const double size = this->MarkerSize();
-  constexpr std::size_t many = 1000; // where edges would be most of what is seen
-  const bool edge = series.X.size() <= many;
-  for (std::size_t row = 0; row < series.Y.size(); ++row)
-  {
-    if (!std::isnan(series.X[row]) && !std::isnan(series.Y[row]))
-    {
-      const ChartColor color = this->Data.Colors.empty()
-        ? SeriesColor(series.Style)
-        : this->Colors.ColorOf(this->Data.Colors[row]);
-      this->Painter.Marker(SeriesMarker(series.Style), this->DeviceX(series.X[row]),
-        this->DeviceY(series.Y[row]), size, color, edge);
-    }
-  }
-}
-
-void ChartPainter::Paint(const Box& box)
-{
-  this->MakeColorScale();
-  this->Legend = this->MakeLegend();
-  this->LayOut(box);
-  // In line with the plot area, unless that costs a row that was not reckoned with.
-  const double fromPlot = box.Right() - this->Plot.X;
-  const bool inLine = this->Painter.LegendHeight(this->Legend, fromPlot) <=
-    this->Painter.LegendHeight(this->Legend, box.Width);
-  const double legendX = inLine ? this->Plot.X : box.X;
-  this->Painter.DrawLegend({ legendX, 0.0, box.Right() - legendX, this->LegendTop }, this->Legend);
-  this->DrawGrid();
+  const ChartPlot& plot = this->Picture.Plots[index];
+  PlotAxes& axes = this->Axes[index];
+  const Box& area = axes.Placement().Area;
+  axes.DrawGrid();
   vtkContextDevice2D* device = this->Painter.Context()->GetDevice();
-  if (this->Style.ClipToRange)
-  {
-    int clip[4] = { static_cast<int>(std::floor(this->Plot.X)),
-      static_cast<int>(std::floor(this->Plot.Y)), static_cast<int>(std::ceil(this->Plot.Width)),
-      static_cast<int>(std::ceil(this->Plot.Height)) };
-    device->SetClipping(clip);
-    device->EnableClipping(true);
-  }
-  for (const ChartSeries& series : this->Data.AllSeries)
-  {
-    this->DrawBand(series);
-  }
-  for (const ChartSeries& series : this->Data.AllSeries)
-  {
-    if (this->Style.JoinPoints)
-    {
-      this->DrawLines(series);
-    }
-    if (this->MarksPoints())
-    {
-      this->DrawMarkers(series);
-    }
-  }
-  if (this->Style.ClipToRange)
-  {
-    device->EnableClipping(false);
-  }
-  this->DrawXAxis();
-  this->DrawYAxis();
-  if (this->Data.IsEmpty)
+  // A hair more than the plot, so that marks at its very end are whole.
+  const double slack = 0.15 * this->Em;
+  int clip[4] = { static_cast<int>(std::floor(area.X - slack)),
+    static_cast<int>(std::floor(area.Y - slack)),
+    static_cast<int>(std::ceil(area.Width + 2.0 * slack)),
+    static_cast<int>(std::ceil(area.Height + 2.0 * slack)) };
+  device->SetClipping(clip);
+  device->EnableClipping(true);
+  MarkPainter(this->Painter, plot, axes.Placement(), this->Colors, this->View.Highlighted).Draw();
+  device->EnableClipping(false);
+  axes.DrawAxes();
+  const std::string message = !plot.Message.empty() ? plot.Message
+    : plot.IsEmpty                                  ? "no values to draw"
+                                                    : "";
+  if (!message.empty())
   {
     PanelText style;
     style.Horizontal = 0;
     style.Ink = FaintInk;
-    this->Painter.Text(this->Plot.MiddleX(), this->Plot.MiddleY(), "no values to draw", style);
+    this->Painter.Text(area.MiddleX(), area.MiddleY(),
+      this->Painter.Fit(message, 0.95 * area.Width, 3, style), style);
+  }
+}
+
+std::string ChartPainter::ColorTitle() const
+{
+  const ChartPlot& plot = this->Picture.Plots.front();
+  return this->IsCounted(plot) ? "points" : plot.ColorTitle;
+}
+
+std::vector<PlotPlacement> ChartPainter::Paint(const Box& box)
+{
+  Box rest = box;
+  this->Painter.FillBackground(box);
+  this->Painter.TakeTitle(rest, this->View.Title);
+  this->Painter.TakeNote(rest, this->View.Note);
+  if (this->Picture.Plots.empty())
+  {
+    return {};
+  }
+  this->MakeColorScale();
+  this->TakeLegend(rest);
+  Box plots = rest;
+  if (this->HasColorBar)
+  {
+    plots.Width -=
+      ColorBarWidth(this->Painter, this->Colors, this->ColorTitle(), rest.Height) - 0.6 * this->Em;
+  }
+  this->LayOutPlots(plots);
+  this->CountDensest();
+  this->DrawLegend();
+  std::vector<PlotPlacement> placements;
+  for (std::size_t i = 0; i < this->Axes.size(); ++i)
+  {
+    this->DrawPlot(i);
+    placements.push_back(this->Axes[i].Placement());
   }
   if (this->HasColorBar)
   {
-    DrawColorBar(this->Painter, this->Colors, this->Style.ColorTitle,
-      { this->Plot.X, this->Plot.Y, this->ColorBarRight - this->Plot.X, this->Plot.Height });
+    const double bottom = placements.back().Area.Y;
+    const double top = placements.front().Area.Top();
+    DrawColorBar(this->Painter, this->Colors, this->ColorTitle(),
+      { rest.X, bottom, rest.Width, std::max(this->Em, top - bottom) });
   }
+  return placements;
 }
 
 } // namespace pemesh

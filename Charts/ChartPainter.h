@@ -1,76 +1,64 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Lays out and draws a chart. Private to this module.
+ * Lays out and draws the picture of a chart: title, legend, color bar, and the plots in their grid.
+ * Private to this module.
  */
 #ifndef pemesh_ChartPainter_h
 #define pemesh_ChartPainter_h
 
-#include "ChartData.h"
-#include "PanelPainter.h"
+#include "PlotAxes.h"
+
+#include <map>
 
 namespace pemesh
 {
 
-struct ChartStyle
+/** What a picture does not say of itself. */
+struct ChartView
 {
   std::string Title;
-  std::string XTitle;
-  std::string YTitle;
-  std::string ColorTitle;
   std::string Note;
-  bool JoinPoints = true;
-  bool LogX = false;
-  bool LogY = false;
-  bool LogColor = false;
   bool ShowLegend = true;
-  bool ClipToRange = false; // a range was asked for that need not hold all points
+  std::map<int, AxisRange> Ranges;    // that are seen, by the group of axes
+  std::vector<vtkIdType> Highlighted; // rows, ascending
+
+  const AxisRange& RangeOf(const ChartAxis& axis) const
+  {
+    const auto found = this->Ranges.find(axis.Group);
+    return found == this->Ranges.end() ? axis.Range : found->second;
+  }
 };
 
 class ChartPainter
 {
 public:
-  ChartPainter(vtkContext2D* context, double em, const ChartData& data, const ChartStyle& style);
+  ChartPainter(PanelPainter& painter, const ChartPicture& picture, const ChartView& view);
 
-  void Paint(const Box& box);
-
-  /** Of the last painting, in units of the device. */
-  const Box& PlotArea() const { return this->Plot; }
+  /** Draws, and answers where the plots are. */
+  std::vector<PlotPlacement> Paint(const Box& box);
 
 private:
+  bool IsCounted(const ChartPlot& plot) const;
   void MakeColorScale();
+  void CountDensest();
   std::vector<LegendEntry> MakeLegend() const;
-  void LayOut(Box box);
-  void LayOutHeights(const Box& box);
-  void LayOutWidths(const Box& box);
-  void ChooseXTicks();
-  void DrawGrid();
-  void DrawXAxis();
-  void DrawYAxis();
-  void DrawBand(const ChartSeries& series);
-  void DrawLines(const ChartSeries& series);
-  void DrawMarkers(const ChartSeries& series);
-  int LineType(const ChartSeries& series) const;
-  double MarkerSize() const;
-  bool MarksPoints() const;
-  double DeviceX(double x) const;
-  double DeviceY(double y) const;
+  void TakeLegend(Box& box);
+  void DrawLegend();
+  void LayOutPlots(const Box& box);
+  void DrawPlot(std::size_t index);
+  std::string ColorTitle() const;
 
-  PanelPainter Painter;
-  const ChartData& Data;
-  const ChartStyle& Style;
+  PanelPainter& Painter;
+  const ChartPicture& Picture;
+  const ChartView& View;
   double Em;
-  Box Plot;
-  AxisTicks XTicks;
-  AxisTicks YTicks;
+  std::vector<PlotAxes> Axes;
   std::vector<LegendEntry> Legend;
-  double LegendTop = 0.0;
-  double YLabelWidth = 0.0;
-  std::string FittedXTitle;
-  std::string FittedYTitle;
+  Box LegendBox;
+  Box Rest;
   bool HasColorBar = false;
   ColorScale Colors;
-  double ColorBarRight = 0.0;
 };
 
 } // namespace pemesh

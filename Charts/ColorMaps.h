@@ -7,7 +7,9 @@
  * cividis by J. R. Nuñez, C. R. Anderton and R. S. Renslow, PLoS ONE 13 (2018) e0199239,
  * doi:10.1371/journal.pone.0199239; the diverging map is RdBu (reversed) of C. A. Brewer,
  * https://colorbrewer2.org, Apache licence 2.0; the series are those of M. Okabe and K. Ito, Color
- * Universal Design (2008), without yellow, which is too pale on white.
+ * Universal Design (2008), without yellow, which is too pale on white; the palettes bright, muted
+ * and vibrant are those of P. Tol, Colour Schemes, SRON/EPS/TN/09-002 (2021); ibm is that of the
+ * IBM Design Language colour-blind-safe palette.
  */
 #ifndef pemesh_ColorMaps_h
 #define pemesh_ColorMaps_h
@@ -30,15 +32,37 @@ struct ColorMap
   std::span<const unsigned> Anchors; // 0xRRGGBB, at equal distances
 };
 
-/** viridis, cividis, and the diverging map "red-blue". */
+/** viridis, cividis, greys, and the diverging map "red-blue". */
 PEMESHCHARTS_EXPORT std::span<const ColorMap> ColorMaps();
 /** Null for an unknown name. */
 PEMESHCHARTS_EXPORT const ColorMap* FindColorMap(std::string_view name);
 /** At a place from 0 to 1; places beyond are those of the ends. */
 PEMESHCHARTS_EXPORT ChartColor MapColor(const ColorMap& map, double place);
 
-/** Colour of series or class i, any i >= 0; they repeat after seven. */
+/** Colours of series and classes. */
+struct ColorPalette
+{
+  const char* Name;
+  const char* Description;
+  std::span<const unsigned> Colors; // 0xRRGGBB
+};
+
+/** The first is the default. */
+PEMESHCHARTS_EXPORT std::span<const ColorPalette> ColorPalettes();
+/** Null for an unknown name. */
+PEMESHCHARTS_EXPORT const ColorPalette* FindColorPalette(std::string_view name);
+
+///@{
+/** Colour of series or class i, any i >= 0; they repeat. The default palette has seven. */
 PEMESHCHARTS_EXPORT ChartColor SeriesColor(int i);
+PEMESHCHARTS_EXPORT ChartColor SeriesColor(const ColorPalette& palette, int i);
+///@}
+
+/** "#rrggbb"; black for any other text. */
+PEMESHCHARTS_EXPORT ChartColor ParseColor(std::string_view text);
+
+/** `part` of the way from one colour to another. */
+PEMESHCHARTS_EXPORT ChartColor MixColors(const ChartColor& from, const ChartColor& to, double part);
 
 /** For values that are undefined. */
 inline constexpr ChartColor UndefinedColor = { 205, 205, 205, 255 };

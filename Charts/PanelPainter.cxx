@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PanelPainter.h"
 
+#include "vtkPEMCairoContextDevice2D.h"
+
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
 #include <vtkRenderingCoreEnums.h>
@@ -16,16 +18,18 @@ namespace pemesh
 namespace
 {
 
-constexpr double LegendSize = 0.94;
-constexpr double LegendRow = 1.35;
+constexpr const char* FontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+constexpr const char* BoldFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
+
+constexpr double LegendRow = 1.44; // text sizes
 constexpr double LegendGlyph = 1.9;
 constexpr double LegendGap = 0.45;
 constexpr double LegendSpace = 1.3;
 
-constexpr PanelText TitleStyle()
+PanelText TitleStyle(const ChartStyle& look)
 {
   PanelText style;
-  style.Size = 1.1;
+  style.Size = look.TitleSize;
   style.Bold = true;
   style.Horizontal = 0;
   style.Vertical = 1;
@@ -49,10 +53,10 @@ double GlyphWidth(const LegendEntry& entry)
   return line ? LegendGlyph : 0.9;
 }
 
-PanelText LegendStyle()
+PanelText LegendStyle(const ChartStyle& look)
 {
   PanelText style;
-  style.Size = LegendSize;
+  style.Size = look.LegendSize;
   return style;
 }
 
@@ -83,22 +87,62 @@ int SeriesLineType(int i)
   return types[i % std::size(types)];
 }
 
-PanelPainter::PanelPainter(vtkContext2D* context, double em)
+PanelPainter::PanelPainter(vtkContext2D* context, double em, const ChartStyle& style)
   : Device(context)
   , EmSize(em)
+  , Look(style)
 {
+}
+
+double PanelPainter::LegendRowHeight() const
+{
+  return LegendRow * this->Look.LegendSize * this->EmSize;
+}
+
+ChartColor PanelPainter::ColorOfSeries(int i) const
+{
+  const ColorPalette* palette = FindColorPalette(this->Look.Palette);
+  return palette ? SeriesColor(*palette, i) : SeriesColor(i);
+}
+
+ChartColor PanelPainter::Inked(const ChartColor& color) const
+{
+  static const ChartStyle standard;
+  if (this->Look.Ink == standard.Ink && this->Look.Background == standard.Background)
+  {
+    return color;
+  }
+  // How far each of them is from the ink to the paper.
+  const std::pair<ChartColor, double> places[] = { { TextInk, 0.0 }, { AxisInk, 0.25 },
+    { FaintInk, 0.34 }, { GridInk, 0.88 }, { White, 1.0 } };
+  for (const auto& [ink, part] : places)
+  {
+    if (ink == color)
+    {
+      return MixColors(ParseColor(this->Look.Ink), ParseColor(this->Look.Background), part);
+    }
+  }
+  return color;
 }
 
 void PanelPainter::ApplyText(const PanelText& style)
 {
   vtkNew<vtkTextProperty> property;
+  property->SetFontFamilyAsString(this->Look.FontFamily.c_str());
+  if (!vtkPEMCairoContextDevice2D::SafeDownCast(this->Device->GetDevice()))
+  {
+    // The fonts within VTK know no Greek letters, superscripts or arrows.
+    property->SetFontFamily(VTK_FONT_FILE);
+    property->SetFontFile(style.Bold ? BoldFontFile : FontFile);
+  }
   property->SetFontSize(std::max(1, static_cast<int>(std::lround(style.Size * this->EmSize))));
   property->SetBold(style.Bold);
   property->SetJustification(VTK_TEXT_CENTERED + style.Horizontal);
   property->SetVerticalJustification(VTK_TEXT_CENTERED + style.Vertical);
   property->SetOrientation(style.Angle);
-  property->SetColor(style.Ink[0] / 255.0, style.Ink[1] / 255.0, style.Ink[2] / 255.0);
-  property->SetOpacity(style.Ink[3] / 255.0);
+  const ChartColor ink = this->Inked(style.Ink);
+  property->SetColor(ink[0] / 255.0, ink[1] / 255.0, ink[2] / 255.0);
+  property->SetOpacity(ink[3] / 255.0);
   this->Device->ApplyTextProp(property);
 }
 
@@ -165,7 +209,8 @@ std::string PanelPainter::Fit(
 void PanelPainter::SetPen(double ems, const ChartColor& color, int lineType)
 {
   vtkNew<vtkPen> pen;
-  pen->SetColor(color[0], color[1], color[2], color[3]);
+  const ChartColor ink = this->Inked(color);
+  pen->SetColor(ink[0], ink[1], ink[2], ink[3]);
   pen->SetWidth(static_cast<float>(ems * this->EmSize));
   pen->SetLineType(lineType);
   this->Device->ApplyPen(pen);
@@ -174,7 +219,8 @@ void PanelPainter::SetPen(double ems, const ChartColor& color, int lineType)
 void PanelPainter::SetBrush(const ChartColor& color)
 {
   vtkNew<vtkBrush> brush;
-  brush->SetColor(color[0], color[1], color[2], color[3]);
+  const ChartColor ink = this->Inked(color);
+  brush->SetColor(ink[0], ink[1], ink[2], ink[3]);
   this->Device->ApplyBrush(brush);
 }
 
@@ -219,15 +265,31 @@ void PanelPainter::Marker(
   this->Device->DrawMarkers(shape, false, point, 1);
 }
 
+void PanelPainter::Markers(int shape, std::vector<float>& points, double ems,
+  const ChartColor& color, std::vector<unsigned char>* colors)
+{
+  this->SetPen(ems, color);
+  this->Device->DrawMarkers(shape, false, points.data(), static_cast<int>(points.size() / 2),
+    colors ? colors->data() : nullptr, 4);
+}
+
+void PanelPainter::FillBackground(const Box& box)
+{
+  if (this->Inked(White) != White)
+  {
+    this->FillRectangle(box, White);
+  }
+}
+
 void PanelPainter::TakeTitle(Box& box, const std::string& title)
 {
   if (title.empty())
   {
     return;
   }
-  const std::string fitted = this->Fit(title, box.Width, 2, TitleStyle());
-  this->Text(box.MiddleX(), box.Top(), fitted, TitleStyle());
-  box.Height -= this->TextHeight(fitted, TitleStyle()) + 0.35 * this->EmSize;
+  const std::string fitted = this->Fit(title, box.Width, 2, TitleStyle(this->Look));
+  this->Text(box.MiddleX(), box.Top(), fitted, TitleStyle(this->Look));
+  box.Height -= this->TextHeight(fitted, TitleStyle(this->Look)) + 0.35 * this->EmSize;
 }
 
 void PanelPainter::TakeNote(Box& box, const std::string& note)
@@ -246,8 +308,8 @@ void PanelPainter::TakeNote(Box& box, const std::string& note)
 double PanelPainter::EntryWidth(const LegendEntry& entry, double width, std::string& text)
 {
   const double head = (GlyphWidth(entry) + LegendGap) * this->EmSize;
-  text = this->Fit(entry.Text, std::max(width - head, this->EmSize), 1, LegendStyle());
-  return head + this->TextWidth(text, LegendStyle());
+  text = this->Fit(entry.Text, std::max(width - head, this->EmSize), 1, LegendStyle(this->Look));
+  return head + this->TextWidth(text, LegendStyle(this->Look));
 }
 
 double PanelPainter::LegendHeight(const std::vector<LegendEntry>& entries, double width)
@@ -269,13 +331,24 @@ double PanelPainter::LegendHeight(const std::vector<LegendEntry>& entries, doubl
     }
     x += entryWidth + LegendSpace * this->EmSize;
   }
-  return rows * LegendRow * this->EmSize;
+  return rows * this->LegendRowHeight();
+}
+
+double PanelPainter::LegendWidth(const std::vector<LegendEntry>& entries)
+{
+  double width = 0.0;
+  std::string text;
+  for (const LegendEntry& entry : entries)
+  {
+    width = std::max(width, this->EntryWidth(entry, 1e9, text));
+  }
+  return width;
 }
 
 void PanelPainter::DrawLegend(const Box& box, const std::vector<LegendEntry>& entries)
 {
   double x = 0.0;
-  double y = box.Top() - 0.5 * LegendRow * this->EmSize;
+  double y = box.Top() - 0.5 * this->LegendRowHeight();
   std::string text;
   for (const LegendEntry& entry : entries)
   {
@@ -283,10 +356,11 @@ void PanelPainter::DrawLegend(const Box& box, const std::vector<LegendEntry>& en
     if (x > 0.0 && x + entryWidth > box.Width)
     {
       x = 0.0;
-      y -= LegendRow * this->EmSize;
+      y -= this->LegendRowHeight();
     }
     this->DrawLegendGlyph(box.X + x, y, entry);
-    this->Text(box.X + x + (GlyphWidth(entry) + LegendGap) * this->EmSize, y, text, LegendStyle());
+    this->Text(
+      box.X + x + (GlyphWidth(entry) + LegendGap) * this->EmSize, y, text, LegendStyle(this->Look));
     x += entryWidth + LegendSpace * this->EmSize;
   }
 }

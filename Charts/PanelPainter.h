@@ -8,6 +8,7 @@
 #ifndef pemesh_PanelPainter_h
 #define pemesh_PanelPainter_h
 
+#include "ChartStyle.h"
 #include "ColorMaps.h"
 
 #include <vtkNew.h>
@@ -34,6 +35,7 @@ struct Box
   double MiddleY() const { return this->Y + 0.5 * this->Height; }
 };
 
+// The inks of a white page. A style with other colours of paper and ink replaces them.
 inline constexpr ChartColor TextInk = { 34, 34, 34, 255 };
 inline constexpr ChartColor AxisInk = { 90, 90, 90, 255 };
 inline constexpr ChartColor FaintInk = { 110, 110, 110, 255 };
@@ -68,9 +70,16 @@ struct LegendEntry
 class PanelPainter
 {
 public:
-  PanelPainter(vtkContext2D* context, double em);
+  PanelPainter(vtkContext2D* context, double em, const ChartStyle& style = {});
 
   double Em() const { return this->EmSize; }
+  const ChartStyle& Style() const { return this->Look; }
+  /** A length in points of the figure, in ems. */
+  double Points(double length) const { return length / this->Look.FontSize; }
+  /** Color of series i. */
+  ChartColor ColorOfSeries(int i) const;
+  /** The color that stands for one of the inks above; others stay what they are. */
+  ChartColor Inked(const ChartColor& color) const;
   vtkContext2D* Context() const { return this->Device; }
 
   double TextWidth(const std::string& text, const PanelText& style = {});
@@ -90,6 +99,12 @@ public:
   /** Closed shapes get a thin white edge, which keeps neighbours apart. */
   void Marker(int shape, double x, double y, double ems, const ChartColor& color, bool edge = true);
 
+  /** Many markers of one shape and size in one go; colors (4 a point) may be null. */
+  void Markers(int shape, std::vector<float>& points, double ems, const ChartColor& color,
+    std::vector<unsigned char>* colors = nullptr);
+
+  /** Fills a box with the color of the background, if that is not white. */
+  void FillBackground(const Box& box);
   /** Writes a title at the top of a box and takes its height off the box. */
   void TakeTitle(Box& box, const std::string& title);
   /** Writes a small note at the bottom of a box and takes its height off the box. */
@@ -98,6 +113,8 @@ public:
   ///@{
   /** Entries flow in rows from the left. Height of the rows, and drawing below the top of a box. */
   double LegendHeight(const std::vector<LegendEntry>& entries, double width);
+  /** Of entries one below the other. */
+  double LegendWidth(const std::vector<LegendEntry>& entries);
   void DrawLegend(const Box& box, const std::vector<LegendEntry>& entries);
   ///@}
 
@@ -106,11 +123,13 @@ public:
 
 private:
   void ApplyText(const PanelText& style);
+  double LegendRowHeight() const;
   void DrawLegendGlyph(double x, double y, const LegendEntry& entry);
   double EntryWidth(const LegendEntry& entry, double width, std::string& text);
 
   vtkContext2D* Device;
   double EmSize;
+  ChartStyle Look;
 };
 
 /** Distinct shapes and dashes for series i, any i >= 0. */

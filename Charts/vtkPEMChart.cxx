@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMChart.h"
 
-#include "ChartPainter.h"
+#include "ChartKinds.h"
+#include "ChartOptions.h"
+#include "ChartViewState.h"
 
-#include <vtkContext2D.h>
 #include <vtkObjectFactory.h>
 #include <vtkTable.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -19,32 +21,23 @@ namespace
 
 constexpr double Automatic = std::numeric_limits<double>::quiet_NaN();
 
-bool IsGiven(const double range[2])
-{
-  return std::isfinite(range[0]) && std::isfinite(range[1]) && range[0] < range[1];
-}
-
-/** The range that was asked for, if it makes sense on this axis; else that of the data. */
-bool UseRange(const double asked[2], bool logarithmic, pemesh::AxisRange& range)
-{
-  if (!IsGiven(asked) || (logarithmic && asked[0] <= 0.0))
-  {
-    return false;
-  }
-  range.Low = logarithmic ? std::log10(asked[0]) : asked[0];
-  range.High = logarithmic ? std::log10(asked[1]) : asked[1];
-  return true;
-}
-
 } // namespace
 
 vtkPEMChart::vtkPEMChart()
-  : XRange{ Automatic, Automatic }
+  : Options(std::make_unique<pemesh::ChartOptions>())
+  , XRange{ Automatic, Automatic }
   , YRange{ Automatic, Automatic }
+  , View(std::make_unique<pemesh::ChartViewState>())
 {
 }
 
 vtkPEMChart::~vtkPEMChart() = default;
+
+void vtkPEMChart::Modified()
+{
+  this->DataTime.Modified();
+  this->ViewModified();
+}
 
 void vtkPEMChart::SetText(std::string& member, const std::string& value)
 {
@@ -69,14 +62,40 @@ vtkTable* vtkPEMChart::GetTable() const
   return this->Table;
 }
 
+void vtkPEMChart::SetKind(int kind)
+{
+  const int last = static_cast<int>(pemesh::ChartKinds().size()) - 1;
+  const int clamped = std::clamp(kind, 0, last);
+  if (this->Kind != clamped)
+  {
+    this->Kind = clamped;
+    this->Modified();
+  }
+}
+
 bool vtkPEMChart::SetKindByName(const std::string& name)
 {
-  if (name != "line" && name != "scatter")
+  const pemesh::ChartKind* kind = pemesh::FindChartKind(name);
+  if (kind)
   {
-    return false;
+    this->SetKind(static_cast<int>(kind - pemesh::ChartKinds().data()));
   }
-  this->SetKind(name == "line" ? KIND_LINE : KIND_SCATTER);
-  return true;
+  return kind != nullptr;
+}
+
+std::string vtkPEMChart::GetKindName() const
+{
+  return pemesh::ChartKinds()[static_cast<std::size_t>(this->Kind)].Name;
+}
+
+std::vector<std::string> vtkPEMChart::GetKindNames()
+{
+  return pemesh::ChartKindNames();
+}
+
+double vtkPEMChart::GetPreferredAspect()
+{
+  return pemesh::ChartKinds()[static_cast<std::size_t>(this->Kind)].Aspect;
 }
 
 bool vtkPEMChart::SetLogAxes(const std::string& axes)
@@ -182,25 +201,42 @@ std::string vtkPEMChart::GetYTitle() const
   return this->YTitle;
 }
 
-pemesh::ChartColumns vtkPEMChart::GetColumns() const
+void vtkPEMChart::SetColumnTitle(const std::string& column, const std::string& title)
 {
-  pemesh::ChartColumns columns;
-  columns.X = this->XColumn;
-  for (const Series& series : this->AllSeries)
+  if (this->GetColumnTitle(column) != title)
   {
-    columns.AllSeries.push_back({ series.Column, series.Lower, series.Upper, series.Label });
+    this->ColumnTitles[column] = title;
+    this->Modified();
   }
-  columns.Color = this->ColorColumn;
-  columns.LogX = this->LogX;
-  columns.LogY = this->LogY;
-  return columns;
 }
 
-std::string vtkPEMChart::WhyNotDrawable()
+std::string vtkPEMChart::GetColumnTitle(const std::string& column) const
+{
+  const auto found = this->ColumnTitles.find(column);
+  return found == this->ColumnTitles.end() ? column : found->second;
+}
+
+void vtkPEMChart::SetOptions(const pemesh::ChartOptions& options)
+{
+  *this->Options = options;
+  this->Modified();
+}
+
+const pemesh::ChartOptions& vtkPEMChart::GetOptions() const
+{
+  return *this->Options;
+}
+
+std::string vtkPEMChart::SetOption(const std::string& name, const std::string& value)
 {
   try
   {
-    pemesh::ReadChartData(this->Table, this->GetColumns());
+    const std::string before = this->GetOption(name);
+    pemesh::SetSetting(pemesh::ChartOptionFields(), *this->Options, name, value);
+    if (this->GetOption(name) != before)
+    {
+      this->Modified();
+    }
   }
   catch (const std::exception& error)
   {
@@ -209,77 +245,10 @@ std::string vtkPEMChart::WhyNotDrawable()
   return {};
 }
 
-std::string vtkPEMChart::GetNote()
+std::string vtkPEMChart::GetOption(const std::string& name) const
 {
-  try
-  {
-    const pemesh::ChartColumns columns = this->GetColumns();
-    return pemesh::DescribeMissing(pemesh::ReadChartData(this->Table, columns), columns);
-  }
-  catch (const std::exception&)
-  {
-    return {};
-  }
-}
-
-double vtkPEMChart::GetDeviceX(double x) const
-{
-  const double place = this->LogX ? std::log10(x) : x;
-  const double part = (place - this->PlotRange[0]) / (this->PlotRange[1] - this->PlotRange[0]);
-  return this->PlotArea[0] + part * this->PlotArea[2];
-}
-
-double vtkPEMChart::GetDeviceY(double y) const
-{
-  const double place = this->LogY ? std::log10(y) : y;
-  const double part = (place - this->PlotRange[2]) / (this->PlotRange[3] - this->PlotRange[2]);
-  return this->PlotArea[1] + part * this->PlotArea[3];
-}
-
-bool vtkPEMChart::Paint(vtkContext2D* context)
-{
-  try
-  {
-    const pemesh::ChartColumns columns = this->GetColumns();
-    pemesh::ChartData data = pemesh::ReadChartData(this->Table, columns);
-    pemesh::ChartStyle style;
-    style.Title = this->GetTitle();
-    style.XTitle = !this->XTitle.empty() ? this->XTitle
-      : !this->XColumn.empty()           ? this->XColumn
-                                         : "Row";
-    const bool single = this->AllSeries.size() == 1;
-    style.YTitle = this->YTitle;
-    if (style.YTitle.empty() && single)
-    {
-      const Series& series = this->AllSeries[0];
-      style.YTitle = series.Label.empty() ? series.Column : series.Label;
-    }
-    style.ColorTitle = this->ColorTitle.empty() ? this->ColorColumn : this->ColorTitle;
-    style.Note = pemesh::DescribeMissing(data, columns);
-    style.JoinPoints = this->Kind == KIND_LINE && !data.HasClasses;
-    style.LogX = this->LogX;
-    style.LogY = this->LogY;
-    style.LogColor = this->LogColor;
-    style.ShowLegend = this->ShowLegend;
-    const bool givenX = UseRange(this->XRange, this->LogX, data.X);
-    const bool givenY = UseRange(this->YRange, this->LogY, data.Y);
-    style.ClipToRange = givenX || givenY;
-
-    const double* rectangle = this->GetRectangle();
-    pemesh::ChartPainter painter(context, this->GetFontSize(), data, style);
-    painter.Paint({ rectangle[0], rectangle[1], rectangle[2], rectangle[3] });
-    const pemesh::Box& plot = painter.PlotArea();
-    const double area[4] = { plot.X, plot.Y, plot.Width, plot.Height };
-    const double range[4] = { data.X.Low, data.X.High, data.Y.Low, data.Y.High };
-    std::copy_n(area, 4, this->PlotArea);
-    std::copy_n(range, 4, this->PlotRange);
-  }
-  catch (const std::exception& error)
-  {
-    vtkErrorMacro(<< error.what());
-    return false;
-  }
-  return true;
+  const auto* field = pemesh::FindSetting(pemesh::ChartOptionFields(), name);
+  return field ? pemesh::GetSetting(*field, *this->Options) : std::string();
 }
 
 void vtkPEMChart::PrintSelf(ostream& os, vtkIndent indent)
@@ -294,6 +263,11 @@ void vtkPEMChart::PrintSelf(ostream& os, vtkIndent indent)
     os << indent.GetNextIndent() << series.Label << ": " << series.Column << " [" << series.Lower
        << ", " << series.Upper << "]\n";
   }
+  os << indent << "ColumnTitles:\n";
+  for (const auto& [column, title] : this->ColumnTitles)
+  {
+    os << indent.GetNextIndent() << column << ": " << title << "\n";
+  }
   os << indent << "ColorColumn: " << this->ColorColumn << "\n";
   os << indent << "ColorTitle: " << this->ColorTitle << "\n";
   os << indent << "XTitle: " << this->XTitle << "\n";
@@ -304,8 +278,11 @@ void vtkPEMChart::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShowLegend: " << this->ShowLegend << "\n";
   os << indent << "XRange: " << this->XRange[0] << " " << this->XRange[1] << "\n";
   os << indent << "YRange: " << this->YRange[0] << " " << this->YRange[1] << "\n";
-  os << indent << "PlotArea: " << this->PlotArea[0] << " " << this->PlotArea[1] << " "
-     << this->PlotArea[2] << " " << this->PlotArea[3] << "\n";
-  os << indent << "PlotRange: " << this->PlotRange[0] << " " << this->PlotRange[1] << " "
-     << this->PlotRange[2] << " " << this->PlotRange[3] << "\n";
+  os << indent << "Options:\n";
+  for (const auto& field : pemesh::ChartOptionFields())
+  {
+    os << indent.GetNextIndent() << field.Name << ": " << pemesh::GetSetting(field, *this->Options)
+       << "\n";
+  }
+  os << indent << "IsZoomed: " << this->IsZoomed() << "\n";
 }

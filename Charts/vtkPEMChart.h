@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @class   vtkPEMChart
- * @brief   A line or scatter chart of columns of a vtkTable.
+ * @brief   A chart of columns of a vtkTable: lines, scatter, histograms and all other kinds.
  *
- * One x column against any number of y columns, or against bands (smallest, largest and mean value
- * of one quantity). Colours are those of Okabe and Ito that are legible on white, and every series
- * has a marker shape of its own, so that the chart reads in print and with any colour vision.
+ * The kinds are those of the table pemesh::ChartKinds(). Most show one x column against any number
+ * of y columns, or against bands (smallest, largest and mean value of one quantity). Colours are
+ * those of Okabe and Ito that are legible on white, and every series has a marker shape of its own,
+ * so that the chart reads in print and with any colour vision.
  *
  * - NaN is a gap in a line and no marker in a scatter chart.
  * - On a logarithmic axis values that are not positive cannot be drawn: a note below the chart says
@@ -14,6 +15,10 @@
  * - Lines join the points in the order of the rows.
  * - A colour column of numbers colours the points by a map, with a colour bar; one of text gives
  *   every class a colour, a marker and an entry in the legend.
+ *
+ * The marks are made from the table once, and again when the table or a setting has changed (by
+ * their modification times: a table that is edited in place needs a Modified()); painting, zooming
+ * and picking use them. Points are picked exactly, however the drawing is thinned out.
  *
  * It is not a vtkChartXY because that class labels logarithmic axes with decimal fractions, has no
  * minor ticks, does not scale ticks, gaps and markers with the text, and puts its legend on top of
@@ -30,6 +35,8 @@
 
 #include <vtkSmartPointer.h> // For the table
 
+#include <map>    // For titles
+#include <memory> // For the marks
 #include <string> // For names
 #include <vector> // For lists of names
 
@@ -37,7 +44,10 @@ class vtkTable;
 
 namespace pemesh
 {
-struct ChartColumns;
+struct ChartOptions;
+struct ChartPicture;
+struct ChartRequest;
+struct ChartViewState;
 }
 
 class PEMESHCHARTS_EXPORT vtkPEMChart : public vtkPEMPanel
@@ -60,11 +70,14 @@ public:
   ///@}
 
   ///@{
-  /** Whether the points are joined. Default KIND_LINE. */
-  vtkSetClampMacro(Kind, int, KIND_LINE, KIND_SCATTER);
+  /** Index of an entry of pemesh::ChartKinds(); the first two have names here. Default KIND_LINE.
+   */
+  void SetKind(int kind);
   vtkGetMacro(Kind, int);
-  /** "line" or "scatter". False, and nothing changed, for any other word. */
+  /** "line", "scatter", "histogram", … False, and nothing changed, for any other word. */
   bool SetKindByName(const std::string& name);
+  std::string GetKindName() const;
+  static std::vector<std::string> GetKindNames();
   ///@}
 
   ///@{
@@ -127,6 +140,24 @@ public:
   ///@}
 
   ///@{
+  /** Titles of columns, for kinds that name several. Default: the name of the column. */
+  void SetColumnTitle(const std::string& column, const std::string& title);
+  std::string GetColumnTitle(const std::string& column) const;
+  ///@}
+
+  ///@{
+  /** What kinds can be asked beyond their columns: fits, bins, groups, limits, … */
+  void SetOptions(const pemesh::ChartOptions& options);
+  const pemesh::ChartOptions& GetOptions() const;
+  /** Sets one by its name; answers with one sentence if that is not possible, else "". */
+  std::string SetOption(const std::string& name, const std::string& value);
+  std::string GetOption(const std::string& name) const;
+  ///@}
+
+  /** The numbers that are drawn: one row a point or bar, with its plot, series and row. */
+  vtkSmartPointer<vtkTable> MakeDataTable();
+
+  ///@{
   /** Whether there is a legend (never for a single unnamed series). Default true. */
   vtkSetMacro(ShowLegend, bool);
   vtkGetMacro(ShowLegend, bool);
@@ -134,20 +165,35 @@ public:
   ///@}
 
   std::string WhyNotDrawable() override;
+  double GetPreferredAspect() override;
 
   /** What the note below the chart says: how many values cannot be drawn, and why. Often empty. */
   std::string GetNote();
 
   ///@{
   /**
-   * Where a point of the chart (in the units of its axes) is in the figure, after it was painted:
-   * for tests, and for picking.
+   * Where a point of the first plot (in the units of its axes) is on the device, after it was
+   * painted.
    */
   double GetDeviceX(double x) const;
   double GetDeviceY(double y) const;
   ///@}
 
+  using vtkPEMPanel::Zoom;
+  pemesh::ChartPick Pick(double deviceX, double deviceY, double tolerance = 0.8) override;
+  std::vector<vtkIdType> SelectRectangle(double x0, double y0, double x1, double y1) override;
+  bool Zoom(double deviceX, double deviceY, double factorX, double factorY) override;
+  bool Pan(double deviceX, double deviceY, double dx, double dy) override;
+  bool ZoomToRectangle(double x0, double y0, double x1, double y1) override;
+  void ResetView() override;
+  bool IsZoomed() const override;
+  bool GetVisibleRange(double deviceX, double deviceY, double range[4]) override;
+  std::string DescribeVisibleRange(double deviceX, double deviceY) override;
+
   bool Paint(vtkContext2D* painter) override;
+
+  /** Of the data or of what is made of them, unlike the view. */
+  void Modified() override;
 
 protected:
   vtkPEMChart();
@@ -166,7 +212,11 @@ private:
   };
 
   void SetText(std::string& member, const std::string& value);
-  pemesh::ChartColumns GetColumns() const;
+  pemesh::ChartRequest GetRequest() const;
+  /** Makes the marks if something has changed; throws std::runtime_error where it cannot. */
+  const pemesh::ChartPicture& GetPicture();
+  bool SetView(int plot, const double places[4]);
+  void DescribePick(pemesh::ChartPick& pick);
 
   vtkSmartPointer<vtkTable> Table;
   int Kind = KIND_LINE;
@@ -176,14 +226,19 @@ private:
   std::string ColorTitle;
   std::string XTitle;
   std::string YTitle;
+  std::map<std::string, std::string> ColumnTitles;
+  std::unique_ptr<pemesh::ChartOptions> Options;
   bool LogX = false;
   bool LogY = false;
   bool LogColor = false;
   bool ShowLegend = true;
   double XRange[2];
   double YRange[2];
-  double PlotArea[4] = { 0.0, 0.0, 1.0, 1.0 };  // of the last painting
-  double PlotRange[4] = { 0.0, 1.0, 0.0, 1.0 }; // of the last painting; logarithms on log axes
+
+  vtkTimeStamp DataTime;
+  vtkTimeStamp PictureTime;
+  std::unique_ptr<pemesh::ChartPicture> Picture;
+  std::unique_ptr<pemesh::ChartViewState> View; // what is seen, and where it was painted
 };
 
 #endif

@@ -14,6 +14,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 namespace ChartSupport
@@ -160,6 +161,13 @@ Picture ReadPng(const std::string& path)
   }
   cairo_surface_destroy(surface);
   return picture;
+}
+
+Picture WriteAndRead(const std::string& png, const std::string& name)
+{
+  const std::string path = OutputPath(name);
+  std::ofstream(path, std::ios::binary) << png;
+  return ReadPng(path);
 }
 
 Picture Rasterise(const std::string& path, int width)

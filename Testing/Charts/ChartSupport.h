@@ -55,6 +55,9 @@ struct Picture
 
 Picture ReadPng(const std::string& path);
 
+/** A PNG in memory, left among the output files. */
+Picture WriteAndRead(const std::string& png, const std::string& name);
+
 /** The file as a picture of this width: PNG as it is, SVG by rsvg-convert, PDF by pdftoppm. */
 Picture Rasterise(const std::string& path, int width);
 

@@ -217,7 +217,9 @@ TEST(Chart, SettersModifyOnlyWhenSomethingChanges)
   chart->SetXTitle("angle");
   chart->SetKind(vtkPEMChart::KIND_LINE);
   EXPECT_EQ(chart->GetMTime(), time);
-  chart->SetKind(77);
+  chart->SetKind(777);
+  EXPECT_EQ(chart->GetKind(), static_cast<int>(vtkPEMChart::GetKindNames().size()) - 1);
+  EXPECT_TRUE(chart->SetKindByName("scatter"));
   EXPECT_EQ(chart->GetKind(), vtkPEMChart::KIND_SCATTER);
   EXPECT_FALSE(chart->SetKindByName("pie"));
   std::ostringstream text;
