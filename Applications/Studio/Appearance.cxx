@@ -56,10 +56,7 @@ QPushButton { background: @panel; border: 1px solid @border; border-radius: 6px;
   padding: 6px 14px; }
 QPushButton:hover { border-color: @accent; }
 QPushButton:disabled { color: @muted; }
-QLineEdit, QAbstractSpinBox, QComboBox { background: @panel; border: 1px solid @border;
-  border-radius: 5px; padding: 3px 6px; min-height: 20px; selection-background-color: @accent; }
-QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border-color: @accent; }
-QComboBox::drop-down { border: 0; width: 18px; }
+QListView::item { padding: 3px; }
 QTableView, QListView, QTreeView, QPlainTextEdit, QTextBrowser { background: @panel; border: 0;
   selection-background-color: @soft; selection-color: @text; alternate-background-color: @window;
   gridline-color: @border; }

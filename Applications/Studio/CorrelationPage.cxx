@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CorrelationPage.h"
 
-#include "ChartPicking.h"
 #include "ColumnLabels.h"
+#include "CorrelationModel.h"
 #include "EmptyState.h"
 #include "Findings.h"
 #include "Icons.h"
@@ -15,12 +15,15 @@
 #include "vtkPEMChart.h"
 
 #include <QComboBox>
+#include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QTabWidget>
+#include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -31,7 +34,6 @@ namespace pemesh
 
 namespace
 {
-constexpr double PickRadius = 14.0;
 constexpr int MostFindings = 300;
 constexpr int XRole = Qt::UserRole;
 constexpr int YRole = Qt::UserRole + 1;
@@ -70,16 +72,20 @@ CorrelationPage::CorrelationPage(ResultSet* results, Selection* selection, QWidg
   this->Stack->addWidget(content);
   connect(results, &ResultSet::Changed, this, &CorrelationPage::ShowResults);
   connect(this->Chart, &PanelView::DoubleClicked, this, &CorrelationPage::MeshWanted);
-  connect(this->Chart, &PanelView::Clicked, this,
-    [this](int panel, const QPointF& position)
+  connect(this->Chart, &PanelView::Picked, this,
+    [this](int, const ChartPick& pick)
     {
-      const int row = FindNearestRow(this->Chart->GetPainted(), panel, position,
-        { this->Y->currentText().toStdString() }, PickRadius);
-      if (row >= 0)
+      if (pick.Row >= 0)
       {
-        this->Selected->SetCase(row);
-        emit this->Told(tr("Mesh %1: double click to see it").arg(this->Results->GetMeshName(row)));
+        this->Selected->SetCase(static_cast<int>(pick.Row));
+        emit this->Told(tr("%1: double click to see the mesh").arg(pick.Text.c_str()));
       }
+    });
+  connect(selection, &Selection::CaseChanged, this,
+    [this](int index)
+    {
+      this->Chart->SetHighlightedRows(
+        index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
     });
   this->ShowResults();
 }
@@ -125,10 +131,13 @@ QWidget* CorrelationPage::MakeSide()
   auto* panel = new QFrame(this);
   panel->setObjectName(QStringLiteral("sidePanel"));
   auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(0, 10, 0, 0);
-  auto* heading = new QLabel(tr("Strongest relations"), panel);
-  heading->setObjectName(QStringLiteral("heading"));
-  heading->setContentsMargins(14, 2, 14, 2);
+  layout->setContentsMargins(0, 0, 0, 0);
+  auto* tabs = new QTabWidget(panel);
+  tabs->setDocumentMode(true);
+  layout->addWidget(tabs);
+  auto* words = new QWidget(tabs);
+  auto* column = new QVBoxLayout(words);
+  column->setContentsMargins(0, 10, 0, 0);
   this->Filter = new QLineEdit(panel);
   this->Filter->setPlaceholderText(tr("Only those that mention …"));
   this->Filter->setClearButtonEnabled(true);
@@ -136,13 +145,27 @@ QWidget* CorrelationPage::MakeSide()
   this->Findings = new QListWidget(panel);
   this->Findings->setWordWrap(true);
   this->Findings->setSpacing(4);
+  this->Findings->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   this->Findings->setAccessibleName(tr("Strongest relations"));
   auto* box = new QHBoxLayout;
   box->setContentsMargins(12, 0, 12, 0);
   box->addWidget(this->Filter);
-  layout->addWidget(heading);
-  layout->addLayout(box);
-  layout->addWidget(this->Findings, 1);
+  column->addLayout(box);
+  column->addWidget(this->Findings, 1);
+  this->Matrix = new CorrelationModel(this);
+  auto* matrix = new QTableView(tabs);
+  matrix->setModel(this->Matrix);
+  matrix->horizontalHeader()->setDefaultSectionSize(74);
+  matrix->verticalHeader()->setDefaultSectionSize(22);
+  matrix->setAccessibleName(tr("Matrix of correlations"));
+  connect(matrix, &QTableView::clicked, this,
+    [this](const QModelIndex& index)
+    {
+      this->SetColumns(
+        this->Matrix->GetRowName(index.row()), this->Matrix->GetColumnName(index.column()));
+    });
+  tabs->addTab(words, tr("Strongest relations"));
+  tabs->addTab(matrix, tr("Matrix"));
   connect(this->Filter, &QLineEdit::textChanged, this, &CorrelationPage::ShowFindings);
   connect(this->Findings, &QListWidget::currentItemChanged, this,
     [this](QListWidgetItem* item)
@@ -183,6 +206,7 @@ void CorrelationPage::ShowResults()
     this->Color->insertItem(0, QString());
     this->Color->setCurrentIndex(0);
   }
+  this->Matrix->SetTable(this->Results->GetCorrelation());
   this->ShowFindings();
   if (this->Findings->count() > 0)
   {
@@ -206,7 +230,7 @@ void CorrelationPage::ShowChart()
   plot.Log = std::string(this->LogX->isChecked() ? "x" : "") + (this->LogY->isChecked() ? "y" : "");
   this->Chart->SetMaker([plot, table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
                           labels = this->Results->GetLabels()]
-    { return std::vector<vtkSmartPointer<vtkPEMPanel>>{ MakeResultChart(plot, table, *labels) }; });
+    { return PanelList{ MakeResultChart(plot, table, *labels) }; });
 }
 
 void CorrelationPage::ShowFindings()

@@ -18,6 +18,7 @@ class QStackedWidget;
 namespace pemesh
 {
 
+class CorrelationModel;
 class PanelView;
 class ResultSet;
 class Selection;
@@ -56,6 +57,7 @@ private:
   PanelView* Chart = nullptr;
   QLineEdit* Filter = nullptr;
   QListWidget* Findings = nullptr;
+  CorrelationModel* Matrix = nullptr;
 };
 
 } // namespace pemesh

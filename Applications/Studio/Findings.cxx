@@ -19,22 +19,23 @@ namespace pemesh
 namespace
 {
 
-bool IsMetricColumn(const std::string& name)
-{
-  return name.ends_with("_min") || name.ends_with("_max") || name.ends_with("_mean");
-}
-
+/** "Condition number: higher where smallest area is lower (Spearman -0.98, 20 meshes)" */
 std::string SentenceOf(const std::string& x, const std::string& y, double rho, int meshes)
 {
   std::array<char, 96> numbers{};
-  std::snprintf(numbers.data(), numbers.size(), " (Spearman %+.2f over %d meshes)", rho, meshes);
-  std::string sentence = x + " grows: " + y + (rho > 0.0 ? " grows" : " falls") + numbers.data();
-  sentence.replace(
-    0, 1, 1, static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0]))));
+  std::snprintf(numbers.data(), numbers.size(), " (Spearman %+.2f, %d meshes)", rho, meshes);
+  std::string sentence =
+    y + ": higher where " + x + (rho > 0.0 ? " is higher" : " is lower") + numbers.data();
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
 }
 
 } // namespace
+
+bool IsMetricColumn(const std::string& name)
+{
+  return name.ends_with("_min") || name.ends_with("_max") || name.ends_with("_mean");
+}
 
 std::vector<Finding> RankFindings(vtkTable* correlation, const ColumnLabels& labels)
 {

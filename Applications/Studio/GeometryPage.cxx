@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GeometryPage.h"
 
-#include "ChartPicking.h"
 #include "ColumnLabels.h"
 #include "ElementTableModel.h"
 #include "EmptyState.h"
+#include "GeometryPanels.h"
 #include "Icons.h"
+#include "LatestJob.h"
 #include "MeshCanvas.h"
 #include "MetricRegistry.h"
 #include "PanelView.h"
@@ -21,6 +22,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
 #include <QScrollArea>
@@ -45,7 +47,6 @@ namespace
 constexpr int MultipleColumns = 4;
 constexpr int ChartHeight = 190;
 constexpr double ChartFont = 10.0;
-constexpr double PickRadius = 14.0;
 
 QString TipOf(const Metric& metric)
 {
@@ -53,28 +54,6 @@ QString TipOf(const Metric& metric)
     .arg(QString::fromUtf8(metric.Label), QString::fromUtf8(metric.Formula).toHtmlEscaped(),
       QString::fromUtf8(metric.Description).toHtmlEscaped(),
       QString::fromUtf8(metric.Reference).toHtmlEscaped());
-}
-
-/** What the meshes of the results are drawn over. */
-std::string AbscissaOf(const Study& study)
-{
-  return study.Sweep.size() == 1 ? study.Sweep.front().Name : "Index";
-}
-
-vtkSmartPointer<vtkPEMPanel> MakeMetricChart(const std::string& metric, const std::string& x,
-  vtkTable* table, const ColumnLabels& labels, bool isSmall)
-{
-  StudyPlot plot;
-  plot.Kind = "line";
-  plot.X = x;
-  plot.Y = { metric };
-  const vtkSmartPointer<vtkPEMChart> chart = MakeResultChart(plot, table, labels);
-  if (isSmall)
-  {
-    chart->SetTitle(metric);
-    chart->SetYTitle(" ");
-  }
-  return chart;
 }
 
 } // namespace
@@ -102,6 +81,7 @@ GeometryPage::GeometryPage(
   this->Cases = new TimeBar(this);
   layout->addWidget(this->Cases);
   this->MakeBar(bar);
+  this->ExportJob = new LatestJob(this, 60000);
   connect(this->Cases, &TimeBar::PlaceChanged, this,
     [this](double place) { this->Selected->SetCase(static_cast<int>(place)); });
   connect(preview, &StudyPreview::PictureChanged, this, &GeometryPage::ShowPicture);
@@ -165,7 +145,7 @@ void GeometryPage::MakeBar(QToolBar* bar)
     return action;
   };
   this->Marked = addToggle("extremes", tr("Mark the smallest and the largest value"), true);
-  this->FixedScale = addToggle("table", tr("One scale for all meshes of the data set"), true);
+  this->FixedScale = addToggle("palette", tr("One scale for all meshes of the data set"), true);
   this->LogScale = bar->addAction(tr("log"));
   this->LogScale->setCheckable(true);
   this->LogScale->setToolTip(tr("Logarithmic colours"));
@@ -173,6 +153,8 @@ void GeometryPage::MakeBar(QToolBar* bar)
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
+  QAction* save = bar->addAction(MakeIcon("export"), tr("Export this view"));
+  connect(save, &QAction::triggered, this, &GeometryPage::Export);
   this->Source = new QLabel(bar);
   this->Source->setObjectName(QStringLiteral("muted"));
   bar->addWidget(this->Source);
@@ -208,15 +190,14 @@ QWidget* GeometryPage::MakeViews()
   this->ChartStack->addWidget(scroll);
   this->Views->addWidget(this->ChartStack);
   connect(this->Charts, &PanelView::DoubleClicked, this, &GeometryPage::Detach);
-  connect(this->Charts, &PanelView::Clicked, this,
-    [this](int panel, const QPointF& position)
+  connect(this->Charts, &PanelView::Picked, this,
+    [this](int panel, const ChartPick& pick)
     {
       this->Metric->setCurrentText(this->Results->GetMetrics().value(panel));
-      const int row = FindNearestRow(this->Charts->GetPainted(), panel, position, {}, -1.0);
-      if (row >= 0)
+      if (pick.Row >= 0)
       {
-        this->Selected->SetCase(row);
-        emit this->Told(tr("%1: mesh %2").arg(this->GetMetric(), this->Results->GetMeshName(row)));
+        this->Selected->SetCase(static_cast<int>(pick.Row));
+        emit this->Told(QString::fromStdString(pick.Text));
       }
     });
 
@@ -227,12 +208,8 @@ QWidget* GeometryPage::MakeViews()
   this->Scatter->SetHint(tr("There is no mesh with metrics to show."));
   column->addWidget(this->Scatter, 1);
   this->Views->addWidget(scatter);
-  connect(this->Scatter, &PanelView::Clicked, this,
-    [this](int panel, const QPointF& position)
-    {
-      this->Selected->SetElement(FindNearestRow(this->Scatter->GetPainted(), panel, position,
-        { this->GetMetric().toStdString() }, PickRadius));
-    });
+  connect(this->Scatter, &PanelView::Picked, this,
+    [this](int, const ChartPick& pick) { this->Selected->SetElement(pick.Row); });
   return this->Views;
 }
 
@@ -330,6 +307,8 @@ void GeometryPage::ShowCase(int index)
   this->Cases->SetPlace(index);
   this->Cases->SetText(this->Results->GetMeshName(index));
   this->Results->ShowCase(index);
+  this->Charts->SetHighlightedRows(
+    index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
 }
 
 void GeometryPage::ShowPicture()
@@ -383,7 +362,7 @@ void GeometryPage::ShowCharts()
     [metrics, table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
       labels = this->Results->GetLabels(), x = AbscissaOf(*this->Results->GetStudy())]
     {
-      std::vector<vtkSmartPointer<vtkPEMPanel>> panels;
+      PanelList panels;
       for (const QString& metric : metrics)
       {
         panels.push_back(MakeMetricChart(metric.toStdString(), x, table, *labels, true));
@@ -415,19 +394,54 @@ void GeometryPage::ShowScatter()
       chart->RemoveAllYColumns();
       chart->AddYColumn(y, labels->Title(y));
       chart->SetYTitle(labels->Title(y));
-      return std::vector<vtkSmartPointer<vtkPEMPanel>>{ chart };
+      return PanelList{ chart };
     });
 }
 
 void GeometryPage::ShowElement(qint64 element)
 {
   this->Canvas->SetSelected(element);
+  this->Scatter->SetHighlightedRows(
+    element < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ element });
   const int row = this->Elements->FindRow(element);
   if (row >= 0 && this->Table->currentIndex().row() != row)
   {
     const int column = std::max(0, this->Elements->FindColumn(this->GetMetric()));
     this->Table->setCurrentIndex(this->Elements->index(row, column));
   }
+}
+
+void GeometryPage::Export()
+{
+  if (this->Views->currentIndex() > 0)
+  {
+    (this->Views->currentIndex() == 1 ? this->Charts : this->Scatter)->ExportAs();
+    return;
+  }
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export the mesh"),
+    this->GetMetric() + QStringLiteral(".pdf"),
+    tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;Table of the elements (*.csv)"));
+  if (!file.isEmpty())
+  {
+    this->ExportMesh(file);
+  }
+}
+
+void GeometryPage::ExportMesh(const QString& file)
+{
+  const MeshPicturePointer picture = this->GetPicture();
+  if (!picture)
+  {
+    return;
+  }
+  this->ExportJob->Start(
+    [this, picture, file = file.toStdString(), metric = this->GetMetric().toStdString(),
+      labels = this->Results->GetLabels()](const std::atomic<bool>&) -> LatestJob::Delivery
+    {
+      const QString fault = ExportPicture(*picture, file, metric, *labels);
+      return [this, fault, file]
+      { emit this->Told(fault.isEmpty() ? tr("Written: %1").arg(file.c_str()) : fault); };
+    });
 }
 
 /** One chart in a window of its own. */
@@ -447,10 +461,7 @@ void GeometryPage::Detach(int panel)
   view->SetMaker(
     [metric = metric.toStdString(), table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
       labels = this->Results->GetLabels(), x = AbscissaOf(*this->Results->GetStudy())]
-    {
-      return std::vector<vtkSmartPointer<vtkPEMPanel>>{ MakeMetricChart(
-        metric, x, table, *labels, false) };
-    });
+    { return PanelList{ MakeMetricChart(metric, x, table, *labels, false) }; });
   connect(view, &PanelView::DoubleClicked, view, &QWidget::close);
   view->showFullScreen();
 }

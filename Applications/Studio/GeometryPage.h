@@ -23,6 +23,7 @@ namespace pemesh
 {
 
 class ElementTableModel;
+class LatestJob;
 class EmptyState;
 class MeshCanvas;
 class PanelView;
@@ -46,6 +47,9 @@ public:
   void ShowView(int view);
   MeshPicturePointer GetPicture() const;
 
+  /** Writes the mesh as PNG, SVG or PDF, its elements as CSV; Told says how it went. */
+  void ExportMesh(const QString& file);
+
 signals:
   void RunWanted();
   void PictureShown(const pemesh::MeshPicturePointer& picture);
@@ -67,6 +71,7 @@ private:
   void ShowElement(qint64 element);
   void ShowCase(int index);
   void Detach(int panel);
+  void Export();
   QString GetMetric() const;
 
   StudyPreview* Preview;
@@ -86,6 +91,7 @@ private:
   ElementTableModel* Elements = nullptr;
   QTableView* Table = nullptr;
   TimeBar* Cases = nullptr;
+  LatestJob* ExportJob = nullptr;
   QLabel* Source = nullptr;
 };
 

@@ -115,9 +115,17 @@ void LatestJob::StopIfStale()
 
 void LatestJob::Cancel()
 {
-  const std::scoped_lock lock(this->Worker->Mutex);
-  this->Worker->Next = {};
-  this->Worker->Stop = true;
+  bool isIdle = false;
+  {
+    const std::scoped_lock lock(this->Worker->Mutex);
+    this->Worker->Next = {};
+    this->Worker->Stop = true;
+    isIdle = !this->Worker->Running; // then nothing will be delivered any more
+  }
+  if (isIdle && std::exchange(this->Busy, false))
+  {
+    emit this->BusyChanged(false);
+  }
 }
 
 void LatestJob::Deliver(const Delivery& delivery, bool isLast)

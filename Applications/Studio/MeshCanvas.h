@@ -32,6 +32,7 @@ signals:
   void ElementClicked(qint64 element);
 
 protected:
+  double GetLeftMargin() const override { return 110.0; }
   void PaintAbove(QPainter& painter) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;

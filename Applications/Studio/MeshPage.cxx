@@ -15,7 +15,7 @@
 
 #include <QAction>
 #include <QActionGroup>
-#include <QCheckBox>
+#include <QEvent>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QItemSelectionModel>
@@ -376,6 +376,15 @@ void MeshPage::MoveDown()
 void MeshPage::ShowOutlines()
 {
   this->Canvas->SetOutlines(this->Preview->GetOutlines());
+}
+
+/** The mesh is painted in the colours of the theme. */
+void MeshPage::changeEvent(QEvent* event)
+{
+  if (event->type() == QEvent::PaletteChange && this->Numbers)
+  {
+    this->ShowPicture();
+  }
 }
 
 void MeshPage::ShowPicture()

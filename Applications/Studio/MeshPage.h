@@ -41,6 +41,9 @@ signals:
   /** One line for the status bar. */
   void Told(const QString& line);
 
+protected:
+  void changeEvent(QEvent* event) override;
+
 private:
   QWidget* MakeLeft();
   QWidget* MakeMiddle();

@@ -63,12 +63,13 @@ void PlaneView::SetHomeBox(const QRectF& box)
 
 void PlaneView::Fit()
 {
-  const double width = std::max(10.0, this->width() - 2.0 * Margin);
+  const double left = this->GetLeftMargin();
+  const double width = std::max(10.0, this->width() - left - 2.0 * Margin);
   const double height = std::max(10.0, this->height() - 2.0 * Margin);
   PlaneTransform transform;
   transform.Scale = std::min(width / this->HomeBox.width(), height / this->HomeBox.height());
   const QPointF center = this->HomeBox.center();
-  transform.Origin = { this->width() / 2.0 - transform.Scale * center.x(),
+  transform.Origin = { (this->width() + left) / 2.0 - transform.Scale * center.x(),
     this->height() / 2.0 + transform.Scale * center.y() };
   this->SetTransform(transform);
   this->IsHome = true;

@@ -55,6 +55,8 @@ signals:
 
 protected:
   virtual void PaintAbove(QPainter& painter);
+  /** Space that subclasses need at the left, in pixels. */
+  virtual double GetLeftMargin() const { return 0.0; }
   /** Empty space around the home box, in pixels. */
   static constexpr int Margin = 36;
 

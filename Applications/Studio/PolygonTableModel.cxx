@@ -29,11 +29,11 @@ const std::array<Column, 6> Columns{ {
     [](const StudyPolygon& polygon) { return polygon.Center[1]; }, 1 },
   { QT_TRANSLATE_NOOP("PolygonTableModel", "Scale"), "scale",
     [](const StudyPolygon& polygon) { return polygon.Scale; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "Turn °"), "rotation",
+  { QT_TRANSLATE_NOOP("PolygonTableModel", "Turn"), "rotation",
     [](const StudyPolygon& polygon) { return polygon.Rotation; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "From t"), "from",
+  { QT_TRANSLATE_NOOP("PolygonTableModel", "From"), "from",
     [](const StudyPolygon& polygon) { return polygon.From; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "To t"), "to",
+  { QT_TRANSLATE_NOOP("PolygonTableModel", "To"), "to",
     [](const StudyPolygon& polygon) { return polygon.To; } },
 } };
 
@@ -99,7 +99,7 @@ QVariant PolygonTableModel::headerData(int section, Qt::Orientation orientation,
   {
     return section + 1;
   }
-  return section == 0 ? tr("Polygon") : tr(Columns[static_cast<std::size_t>(section - 1)].Header);
+  return section == 0 ? tr("Name") : tr(Columns[static_cast<std::size_t>(section - 1)].Header);
 }
 
 Qt::ItemFlags PolygonTableModel::flags(const QModelIndex& index) const

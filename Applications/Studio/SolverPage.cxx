@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverPage.h"
 
-#include "ColumnLabels.h"
 #include "Icons.h"
 #include "OptionForm.h"
 #include "PanelView.h"
-#include "ResultPanels.h"
 #include "ResultSet.h"
 #include "RunController.h"
 #include "Selection.h"
+#include "SolutionPanels.h"
 #include "SolverDescriptionFile.h"
 #include "StudyModel.h"
+#include "SurfaceWindow.h"
 #include "TimeBar.h"
-#include "vtkPEMChart.h"
-#include "vtkPEMMeshView.h"
 
 #include <QComboBox>
 #include <QFileDialog>
@@ -32,13 +30,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include <vtkCellData.h>
-#include <vtkDataArray.h>
-#include <vtkPointData.h>
-#include <vtkPolyData.h>
 #include <vtkTable.h>
+#include <vtkVariant.h>
 
 namespace pemesh
 {
@@ -51,61 +45,6 @@ QLabel* MakeHeading(const QString& text, QWidget* parent)
   auto* label = new QLabel(text, parent);
   label->setObjectName(QStringLiteral("heading"));
   return label;
-}
-
-/** A view of the first array of that name: of the points, or else of the cells. */
-vtkSmartPointer<vtkPEMMeshView> MakeFieldView(const MeshPicturePointer& picture,
-  const std::string& array, const std::string& title, const ColumnLabels& labels)
-{
-  vtkPolyData* mesh = picture->GetMesh();
-  if (!mesh->GetPointData()->GetArray(array.c_str()) &&
-    !mesh->GetCellData()->GetArray(array.c_str()))
-  {
-    return nullptr;
-  }
-  vtkSmartPointer<vtkPEMMeshView> view = MakeMeshView(mesh, array, labels);
-  view->SetTitle(title);
-  return view;
-}
-
-/** The solution and the truth have one scale, so that they can be compared. */
-void ShareRange(vtkPolyData* mesh, const std::string& run, vtkPEMMeshView* a, vtkPEMMeshView* b)
-{
-  double range[2] = { INFINITY, -INFINITY };
-  for (const char* name : { "_Solution", "_GroundTruth" })
-  {
-    if (vtkDataArray* values = mesh->GetPointData()->GetArray((run + name).c_str()))
-    {
-      double own[2];
-      values->GetFiniteRange(own);
-      range[0] = std::min(range[0], own[0]);
-      range[1] = std::max(range[1], own[1]);
-    }
-  }
-  if (a && b && range[0] < range[1])
-  {
-    a->SetColorRange(range);
-    b->SetColorRange(range);
-  }
-}
-
-std::vector<vtkSmartPointer<vtkPEMPanel>> MakeSolutionPanels(
-  const MeshPicturePointer& picture, const std::string& run, const ColumnLabels& labels)
-{
-  const auto solution = MakeFieldView(picture, run + "_Solution", "Solution", labels);
-  const auto truth = MakeFieldView(picture, run + "_GroundTruth", "Ground truth", labels);
-  ShareRange(picture->GetMesh(), run, solution, truth);
-  std::vector<vtkSmartPointer<vtkPEMPanel>> panels;
-  for (const auto& view :
-    { solution, truth, MakeFieldView(picture, run + "_Error", "Error", labels),
-      MakeFieldView(picture, run + "_ErrorL2", "Error of each element", labels) })
-  {
-    if (view)
-    {
-      panels.emplace_back(view);
-    }
-  }
-  return panels;
 }
 
 } // namespace
@@ -256,11 +195,30 @@ QWidget* SolverPage::MakeRight()
   this->Tabs->setDocumentMode(true);
   this->Shown = new QComboBox(this->Tabs);
   this->Shown->setAccessibleName(tr("Run that is shown"));
-  this->Tabs->setCornerWidget(this->Shown);
+  auto* corner = new QWidget(this->Tabs);
+  auto* line = new QHBoxLayout(corner);
+  line->setContentsMargins(0, 2, 8, 2);
+  this->Surfaces = new QToolButton(corner);
+  this->Surfaces->setText(tr("Surfaces …"));
+  this->Surfaces->setToolTip(tr("Solution and ground truth as surfaces, in a window of their own"));
+  line->addWidget(this->Shown);
+  line->addWidget(this->Surfaces);
+  this->Tabs->setCornerWidget(corner);
+  connect(this->Surfaces, &QToolButton::clicked, this, &SolverPage::ShowSurfaces);
   this->Solutions = new PanelView(this->Tabs);
   this->Solutions->SetHint(tr("Add a solver and run the study: the solution, the ground truth and "
                               "the error of each mesh are shown here."));
+  this->Solutions->SetLinked(true);
+  connect(this->Selected, &Selection::MetricChanged, this, &SolverPage::ShowSolutions);
   this->Charts = new PanelView(this->Tabs);
+  connect(this->Charts, &PanelView::Picked, this,
+    [this](int, const ChartPick& pick)
+    {
+      if (pick.Row >= 0)
+      {
+        this->Selected->SetCase(static_cast<int>(pick.Row));
+      }
+    });
   this->Charts->SetHint(
     tr("Run the study with a solver: its performances over the meshes are shown "
        "here."));
@@ -398,19 +356,39 @@ void SolverPage::ShowCase(int index)
   this->Cases->SetPlace(index);
   this->Cases->SetText(this->Results->GetMeshName(index));
   this->Results->ShowCase(index);
+  this->Charts->SetHighlightedRows(
+    index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
 }
 
 void SolverPage::ShowSolutions()
 {
   const MeshPicturePointer picture = this->Results->GetPicture();
   const std::string run = this->Shown->currentText().toStdString();
+  this->Surfaces->setEnabled(picture && !run.empty());
   if (!picture || run.empty())
   {
     this->Solutions->SetMaker({});
     return;
   }
-  this->Solutions->SetMaker([picture, run, labels = this->Results->GetLabels()]
-    { return MakeSolutionPanels(picture, run, *labels); });
+  if (this->Surface && this->Surface->isVisible())
+  {
+    this->Surface->SetMesh(picture, this->Shown->currentText());
+  }
+  this->Solutions->SetMaker([picture, run, metric = this->Selected->GetMetric().toStdString(),
+                              labels = this->Results->GetLabels()]
+    { return MakeSolutionPanels(picture, run, metric, *labels); });
+}
+
+/** The window is made when it is first asked for: only it needs OpenGL. */
+void SolverPage::ShowSurfaces()
+{
+  if (!this->Surface)
+  {
+    this->Surface = new SurfaceWindow(this);
+  }
+  this->Surface->show();
+  this->Surface->raise();
+  this->ShowSolutions();
 }
 
 void SolverPage::ShowCharts()
@@ -422,43 +400,9 @@ void SolverPage::ShowCharts()
     this->Charts->SetMaker({});
     return;
   }
-  std::vector<std::pair<std::string, bool>> columns; // and whether their axis is logarithmic
-  try
-  {
-    const Study& study = *this->Results->GetStudy();
-    for (const StudySolver& solver : study.Solvers)
-    {
-      for (const SolverPerformance& performance :
-        FindSolver(solver.Solver, study.Folder).Performances)
-      {
-        const std::string column = run + "_" + performance.Name;
-        if (solver.Name == run && table->GetColumnByName(column.c_str()))
-        {
-          columns.emplace_back(column, performance.Scale == "log");
-        }
-      }
-    }
-  }
-  catch (const std::exception&) // the description has gone since the run
-  {
-  }
-  const auto& sweep = this->Results->GetStudy()->Sweep;
-  this->Charts->SetMaker(
-    [columns, kept = vtkSmartPointer<vtkTable>(table), labels = this->Results->GetLabels(),
-      x = sweep.size() == 1 ? sweep.front().Name : std::string("Index")]
-    {
-      std::vector<vtkSmartPointer<vtkPEMPanel>> panels;
-      for (const auto& [column, isLog] : columns)
-      {
-        StudyPlot plot;
-        plot.Kind = "line";
-        plot.X = x;
-        plot.Y = { column };
-        plot.Log = isLog ? "y" : "";
-        panels.emplace_back(MakeResultChart(plot, kept, *labels));
-      }
-      return panels;
-    });
+  this->Charts->SetMaker([run, kept = vtkSmartPointer<vtkTable>(table),
+                           study = *this->Results->GetStudy(), labels = this->Results->GetLabels()]
+    { return MakePerformancePanels(study, run, kept, *labels); });
 }
 
 void SolverPage::ShowFailures()

@@ -16,6 +16,7 @@ class QProgressBar;
 class QPushButton;
 class QTabWidget;
 class QTableWidget;
+class QToolButton;
 
 namespace pemesh
 {
@@ -27,6 +28,7 @@ class ResultSet;
 class RunController;
 class Selection;
 class StudyModel;
+class SurfaceWindow;
 class TimeBar;
 
 class SolverPage : public QWidget
@@ -41,6 +43,7 @@ public:
   QTabWidget* GetTabs() const { return this->Tabs; }
   PanelView* GetSolutions() const { return this->Solutions; }
   PanelView* GetCharts() const { return this->Charts; }
+  SurfaceWindow* GetSurface() const { return this->Surface; }
   QTableWidget* GetFailures() const { return this->Failures; }
 
 signals:
@@ -55,6 +58,7 @@ private:
   void ShowCase(int index);
   void ShowSolutions();
   void ShowCharts();
+  void ShowSurfaces();
   void ShowFailures();
   void ShowFailureLog(int row);
   void ShowRunning();
@@ -74,6 +78,8 @@ private:
   QLabel* State = nullptr;
   QTabWidget* Tabs = nullptr;
   QComboBox* Shown = nullptr;
+  QToolButton* Surfaces = nullptr;
+  SurfaceWindow* Surface = nullptr;
   PanelView* Solutions = nullptr;
   PanelView* Charts = nullptr;
   QTableWidget* Failures = nullptr;

@@ -8,10 +8,15 @@
 #include "LogDock.h"
 #include "MeshFormats.h"
 #include "MeshPage.h"
+#include "MetricRegistry.h"
+#include "PanelView.h"
+#include "PolygonTable.h"
 #include "ResultSet.h"
 #include "Session.h"
+#include "StudyFile.h"
 #include "StudyModel.h"
 #include "StudyPreview.h"
+#include "StyleDialog.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -21,11 +26,32 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QSettings>
+#include <QTextBrowser>
 
 #include <vtkPolyData.h>
 
 namespace pemesh
 {
+
+namespace
+{
+
+/** The registry as text, with the formulas as they are written in plain text. */
+QString DescribeMetricsInMarkdown()
+{
+  QString text;
+  for (const Metric& metric : Metrics())
+  {
+    text += QStringLiteral("### %1\n\n`%2` = `%3`, in %4, unit %5. %6 *%7*\n\n")
+              .arg(QString::fromUtf8(metric.Label), QString::fromUtf8(metric.Name),
+                QString::fromUtf8(metric.Formula), QString::fromUtf8(metric.Range),
+                QString::fromUtf8(metric.Unit), QString::fromUtf8(metric.Description),
+                QString::fromUtf8(metric.Reference));
+  }
+  return text;
+}
+
+} // namespace
 
 QAction* StudioWindow::AddAction(
   QMenu* menu, const char* icon, const QString& text, const QKeySequence& key)
@@ -74,6 +100,8 @@ void StudioWindow::MakeFileMenu()
     &QAction::triggered, this->Files, &Session::SaveAs);
   this->SaveMeshAction = this->AddAction(menu, "export", tr("Save m&esh …"), {});
   connect(this->SaveMeshAction, &QAction::triggered, this, &StudioWindow::SaveMesh);
+  connect(this->AddAction(menu, "export", tr("Save &polygons as a table …"), {}),
+    &QAction::triggered, this, &StudioWindow::SavePolygons);
   menu->addSeparator();
   connect(this->AddAction(menu, "cancel", tr("&Quit"), QKeySequence::Quit), &QAction::triggered,
     this, &QWidget::close);
@@ -84,6 +112,8 @@ void StudioWindow::MakeViewMenu()
   QMenu* menu = this->menuBar()->addMenu(tr("&View"));
   menu->addAction(this->Log->toggleViewAction());
   this->Log->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  connect(this->AddAction(menu, "palette", tr("&Plot settings …"), {}), &QAction::triggered, this,
+    &StudioWindow::ShowPlotSettings);
   QMenu* theme = menu->addMenu(tr("&Theme"));
   auto* group = new QActionGroup(this);
   const QString names[] = { tr("As the system"), tr("Light"), tr("Dark") };
@@ -106,6 +136,16 @@ void StudioWindow::MakeViewMenu()
 void StudioWindow::MakeHelpMenu()
 {
   QMenu* menu = this->menuBar()->addMenu(tr("&Help"));
+  connect(menu->addAction(tr("Reference of the &metrics")), &QAction::triggered, this,
+    [this] { this->ShowReference(tr("Metrics"), DescribeMetricsInMarkdown()); });
+  connect(menu->addAction(tr("Reference of the &study document")), &QAction::triggered, this,
+    [this]
+    {
+      this->ShowReference(tr("The keys of a study"),
+        QStringLiteral("- ") +
+          QString::fromStdString(DescribeStudyKeys()).trimmed().replace("\n", "\n- "));
+    });
+  menu->addSeparator();
   connect(menu->addAction(tr("&About PEMesh Studio")), &QAction::triggered, this,
     &StudioWindow::ShowAbout);
   connect(menu->addAction(tr("About &Qt")), &QAction::triggered, qApp, &QApplication::aboutQt);
@@ -128,6 +168,50 @@ void StudioWindow::SaveMesh()
   {
     QMessageBox::warning(this, tr("Save mesh"), QString::fromUtf8(error.what()));
   }
+}
+
+void StudioWindow::SavePolygons()
+{
+  const QString file = QFileDialog::getSaveFileName(
+    this, tr("Save polygons"), QStringLiteral("polygons.csv"), tr("Tables (*.csv)"));
+  try
+  {
+    if (!file.isEmpty())
+    {
+      WritePolygonTable(file.toStdString(), this->Model->GetStudy().Polygons);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    QMessageBox::warning(this, tr("Save polygons"), QString::fromUtf8(error.what()));
+  }
+}
+
+void StudioWindow::ShowPlotSettings()
+{
+  auto* dialog = new StyleDialog(this);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &StyleDialog::Changed, this,
+    [this]
+    {
+      for (PanelView* view : this->findChildren<PanelView*>())
+      {
+        view->Refresh();
+      }
+    });
+  dialog->show();
+}
+
+void StudioWindow::ShowReference(const QString& title, const QString& markdown)
+{
+  auto* browser = new QTextBrowser(this);
+  browser->setWindowFlag(Qt::Window);
+  browser->setAttribute(Qt::WA_DeleteOnClose);
+  browser->setWindowTitle(title);
+  browser->setOpenExternalLinks(true);
+  browser->setMarkdown(markdown);
+  browser->resize(820, 720);
+  browser->show();
 }
 
 void StudioWindow::OpenResults()

@@ -83,6 +83,9 @@ private:
   void ShowRunning();
   void FinishRun(bool isGood, const QString& folder, const QStringList& messages);
   void SaveMesh();
+  void SavePolygons();
+  void ShowPlotSettings();
+  void ShowReference(const QString& title, const QString& markdown);
   void OpenResults();
   void LoadKeptResults();
   void ShowAbout();

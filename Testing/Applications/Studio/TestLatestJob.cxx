@@ -87,3 +87,21 @@ TEST(LatestJob, EndsWithItsObjectInTheMiddleOfWork)
   }
   EXPECT_TRUE(ended);
 }
+
+TEST(LatestJob, CancellingLeavesItIdle)
+{
+  LatestJob job;
+  for (int i = 0; i < 20; ++i)
+  {
+    bool delivered = false;
+    job.Start([&delivered](const std::atomic<bool>& stop)
+      { return Work(5, stop, [&delivered] { delivered = true; }); });
+    WaitFor([] { return false; }, i % 3);
+    job.Cancel();
+    ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }, 2000));
+    if (i % 3 == 0)
+    {
+      EXPECT_FALSE(delivered);
+    }
+  }
+}

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "Appearance.h"
 #include "CorrelationPage.h"
 #include "GeometryPage.h"
 #include "LayoutCanvas.h"
@@ -19,6 +20,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QComboBox>
 #include <QDragEnterEvent>
 #include <QDropEvent>
@@ -28,11 +30,14 @@
 #include <QSlider>
 #include <QTabWidget>
 #include <QTableView>
+#include <QTableWidget>
 #include <QTest>
 #include <QToolButton>
 #include <QUndoStack>
 
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 
 using namespace pemesh;
@@ -265,7 +270,7 @@ TEST_F(Studio, ANewUsersWholePath)
   EXPECT_TRUE(geometry->GetTable()->currentIndex().isValid()) << "linked to the table";
   Keep(&this->Window, "geometry");
   geometry->ShowView(1);
-  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetPainted().Panels.size() > 20; }));
+  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetNumberOfPanels() > 20; }));
   QTest::qWait(1500);
   Keep(&this->Window, "metrics");
   geometry->ShowView(2);
@@ -315,4 +320,90 @@ TEST_F(Studio, StoppingKeepsWhatIsDone)
   ASSERT_TRUE(WaitFor([this] { return !this->Window.GetResults()->IsEmpty(); }));
   EXPECT_GE(this->Window.GetResults()->GetNumberOfCases(), 3);
   EXPECT_LT(this->Window.GetResults()->GetNumberOfCases(), 200);
+}
+
+TEST_F(Studio, ClosingDuringARunEndsItAndLeavesNothing)
+{
+  const std::filesystem::path folder = this->MakeStudy("close", 200);
+  int done = 0;
+  QObject::connect(
+    this->Window.GetController(), &RunController::Told, &this->Window, [&done] { ++done; });
+  this->Window.Run();
+  ASSERT_TRUE(WaitFor([&done] { return done > 1; }, 60000));
+  QElapsedTimer clock;
+  clock.start();
+  this->Window.close();
+  ASSERT_TRUE(WaitFor([this] { return !this->Window.isVisible(); }));
+  std::printf("closed in %lld ms\n", static_cast<long long>(clock.elapsed()));
+  EXPECT_FALSE(this->Window.GetController()->IsRunning());
+  EXPECT_FALSE(std::filesystem::exists(folder / "close.running"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "close"));
+}
+
+TEST_F(Studio, TheFailuresOfASolverAreListedWithTheirFiles)
+{
+  const std::filesystem::path folder = this->MakeStudy("failing", 2);
+  std::ofstream(folder / "broken.json")
+    << R"({"name": "broken", "command": ["false", "{mesh}", "{output}"], "mesh-format": "off"})";
+  this->Window.GetModel()->SetValue(
+    "solvers[0]", { JsonValue::Object{ { "solver", { std::string("broken.json") } } } }, "solver");
+  this->Window.ShowPage(StudioWindow::SolverPageIndex);
+  ASSERT_TRUE(this->Run()) << this->Window.GetLog()->GetText().toStdString();
+  auto* solver = this->Find<SolverPage>();
+  ASSERT_EQ(solver->GetFailures()->rowCount(), 2);
+  solver->GetTabs()->setCurrentIndex(2);
+  solver->GetFailures()->setCurrentCell(1, 0);
+  EXPECT_EQ(solver->GetFailures()->item(1, 1)->text(), "broken");
+  Keep(&this->Window, "failures");
+}
+
+TEST_F(Studio, OpeningAStudyThatWasRunShowsItsResultsAndRunsNothing)
+{
+  const std::filesystem::path folder = this->MakeStudy("again", 2);
+  ASSERT_TRUE(this->Run());
+  this->Window.GetModel()->MakeNew();
+  StudioWindow second;
+  second.show();
+  ASSERT_TRUE(second.OpenFiles({ QString::fromStdString((folder / "again.json").string()) }));
+  ASSERT_TRUE(WaitFor([&second] { return !second.GetResults()->IsEmpty(); }));
+  EXPECT_EQ(second.GetResults()->GetNumberOfCases(), 2);
+  EXPECT_FALSE(second.GetController()->IsRunning());
+  EXPECT_FALSE(second.isWindowModified());
+}
+
+TEST_F(Studio, AMetricOpensOnTheWholeScreen)
+{
+  this->MakeStudy("detach", 2);
+  ASSERT_TRUE(this->Run());
+  this->Window.ShowPage(StudioWindow::GeometryPageIndex);
+  auto* geometry = this->Find<GeometryPage>();
+  geometry->ShowView(1);
+  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetNumberOfPanels() > 20; }));
+  const QPoint at = geometry->GetCharts()->GetPainted().Boxes[2].center().toPoint();
+  QTest::mouseDClick(geometry->GetCharts(), Qt::LeftButton, {}, at);
+  auto* detached = geometry->findChild<PanelView*>("detached");
+  ASSERT_NE(detached, nullptr);
+  EXPECT_TRUE(detached->isFullScreen());
+  ASSERT_TRUE(WaitFor([=] { return detached->GetNumberOfPanels() == 1; }));
+  detached->close();
+}
+
+TEST_F(Studio, TheDarkThemeIsDarkAllOver)
+{
+  this->AddFamily("family-zeta");
+  ASSERT_TRUE(this->WaitForMesh());
+  ApplyTheme(*qApp, ThemeChoice::Dark);
+  QTest::qWait(200);
+  Keep(&this->Window, "dark");
+  const QImage image = this->Window.grab().toImage();
+  int light = 0;
+  for (int y = 0; y < image.height(); y += 4)
+  {
+    for (int x = 0; x < image.width(); x += 4)
+    {
+      light += image.pixelColor(x, y).lightness() > 200 ? 1 : 0;
+    }
+  }
+  EXPECT_LT(light, image.width() * image.height() / 16 / 10);
+  ApplyTheme(*qApp, ThemeChoice::Light);
 }
