@@ -17,9 +17,9 @@ cd "$(dirname "$0")"
 build_packages="g++ cmake ninja-build ccache pkg-config ca-certificates
   libvtk9-dev libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev
   libspectra-dev libginac-dev libmetis-dev
-  libcairo2-dev nlohmann-json3-dev libcli11-dev libgtest-dev libgmock-dev"
+  libcairo2-dev qt6-base-dev nlohmann-json3-dev libcli11-dev libgtest-dev libgmock-dev"
 run_packages="fonts-dejavu-core python3 python3-dev python3-vtk9"
-test_packages="librsvg2-bin poppler-utils"
+test_packages="librsvg2-bin poppler-utils xvfb"
 
 say() { printf '==> %s\n' "$*"; }
 fail() { printf 'bootstrap.sh: %s\n' "$*" >&2; exit 1; }

@@ -7,6 +7,7 @@
 #define pemesh_StudyCases_h
 
 #include "StudySweeps.h"
+#include "pemeshRunnerModule.h" // For export macro
 
 #include <string>
 #include <vector>
@@ -31,7 +32,7 @@ struct StudyCase
  * Throws std::runtime_error when the study names no mesh, and when a swept value is not allowed
  * where it is set.
  */
-std::vector<StudyCase> MakeStudyCases(const Study& study);
+PEMESHRUNNER_EXPORT std::vector<StudyCase> MakeStudyCases(const Study& study);
 
 /**
  * Name of a generated mesh, as in "009_0.426316": index with at least three digits and, where t is

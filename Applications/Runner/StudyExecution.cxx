@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyExecution.h"
 
-#include "CaseStatus.h"
 #include "MeshFormats.h"
 #include "SolverDescription.h"
 #include "Study.h"
@@ -17,11 +16,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include <vtkFieldData.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -29,30 +26,6 @@ namespace fs = std::filesystem;
 
 namespace pemesh
 {
-
-namespace
-{
-
-/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
- */
-vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
-{
-  auto copy = vtkSmartPointer<vtkPolyData>::New();
-  copy->ShallowCopy(mesh);
-  vtkFieldData* fields = copy->GetFieldData();
-  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(MeasuredList)))
-  {
-    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
-    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
-    {
-      fields->RemoveArray(kept->GetValue(i).c_str());
-    }
-    fields->RemoveArray(MeasuredList);
-  }
-  return copy;
-}
-
-} // namespace
 
 StudyExecution::StudyExecution(const Study& study, const std::vector<SolverDescription>& solvers,
   const std::vector<StudyCase>& cases, const Options& options, StudyJournal& journal,
@@ -110,7 +83,9 @@ void StudyExecution::ExecuteCase(
   this->Figures->KeepMesh(studyCase, pipeline.GetMesh());
   try
   {
-    this->Results->AddRow(studyCase, key, pipeline.GetRow());
+    const std::string line = this->Results->AddRow(studyCase, key, pipeline.GetRow());
+    const std::scoped_lock lock(this->Mutex);
+    this->Lines.push_back(line);
   }
   catch (const std::exception& error)
   {
@@ -182,8 +157,7 @@ void StudyExecution::Work(int threads)
   this->Changed.notify_one();
 }
 
-void StudyExecution::WaitForWorkers(
-  std::size_t workers, const std::function<void(double fraction)>& report)
+void StudyExecution::WaitForWorkers(std::size_t workers, const Report& report)
 {
   std::size_t told = 0;
   std::unique_lock lock(this->Mutex);
@@ -197,8 +171,10 @@ void StudyExecution::WaitForWorkers(
       continue;
     }
     told = this->CasesDone;
+    std::vector<std::string> lines;
+    lines.swap(this->Lines);
     lock.unlock();
-    report(static_cast<double>(told) / static_cast<double>(this->Cases.size()));
+    report(static_cast<double>(told) / static_cast<double>(this->Cases.size()), lines);
     if (!isOver)
     {
       this->SaveProgress();
@@ -230,8 +206,7 @@ void StudyExecution::SaveProgress()
   this->NextSave = Clock::now() + std::max<Clock::duration>(least, rarity * (Clock::now() - start));
 }
 
-std::string StudyExecution::Run(
-  StudyResults& results, StudyFigures& figures, const std::function<void(double fraction)>& report)
+std::string StudyExecution::Run(StudyResults& results, StudyFigures& figures, const Report& report)
 {
   this->Results = &results;
   this->Figures = &figures;

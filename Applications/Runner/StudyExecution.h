@@ -33,6 +33,8 @@ struct StudyCase;
 class StudyExecution
 {
 public:
+  using Report = std::function<void(double fraction, const std::vector<std::string>& lines)>;
+
   struct Options
   {
     std::filesystem::path Folder;
@@ -51,10 +53,9 @@ public:
   /**
    * Does all cases, or those until the stop. Answers with a sentence where the study could not go
    * on, empty otherwise. Throws std::runtime_error where it is wrong for every case. `report` is
-   * called in this thread.
+   * called in this thread, with what a log should say of each case done since the last call.
    */
-  std::string Run(StudyResults& results, StudyFigures& figures,
-    const std::function<void(double fraction)>& report);
+  std::string Run(StudyResults& results, StudyFigures& figures, const Report& report);
 
   int GetNumberOfReusedCases() const { return this->CasesReused; }
 
@@ -64,7 +65,7 @@ private:
   bool ReuseCase(const StudyCase& studyCase, const std::string& key);
   void ExecuteCase(StudyPipeline& pipeline, const StudyCase& studyCase, const std::string& key);
   void WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh);
-  void WaitForWorkers(std::size_t workers, const std::function<void(double fraction)>& report);
+  void WaitForWorkers(std::size_t workers, const Report& report);
   void SaveProgress();
 
   const Study& TheStudy;
@@ -85,6 +86,7 @@ private:
   std::condition_variable Changed;
   std::size_t CasesDone = 0;
   std::size_t WorkersDone = 0;
+  std::vector<std::string> Lines; // of the log, not yet told
   std::string WrongConfiguration;
   std::string Interruption; // why the study cannot go on, though it is not wrong
 };

@@ -22,6 +22,16 @@
 namespace pemesh
 {
 
+void ConfigureDomain(const Study& study, vtkPEMDomain* domain)
+{
+  domain->SetShapeByName(study.Domain.Shape);
+  for (const auto& [name, value] : study.Domain.Parameters)
+  {
+    domain->SetParameter(name, value);
+  }
+  domain->SetFileName(study.Domain.File.empty() ? "" : (study.Folder / study.Domain.File).string());
+}
+
 StudyGeneration::StudyGeneration() = default;
 StudyGeneration::~StudyGeneration() = default;
 
@@ -43,21 +53,10 @@ vtkAlgorithm* StudyGeneration::ConfigureReader(const Study& study)
   return this->Reader;
 }
 
-void StudyGeneration::ConfigureDomain(const Study& study)
-{
-  this->Domain->SetShapeByName(study.Domain.Shape);
-  for (const auto& [name, value] : study.Domain.Parameters)
-  {
-    this->Domain->SetParameter(name, value);
-  }
-  this->Domain->SetFileName(
-    study.Domain.File.empty() ? "" : (study.Folder / study.Domain.File).string());
-}
-
 vtkAlgorithm* StudyGeneration::ConfigureMesher(const Study& study)
 {
   const StudyMesh& mesh = study.Mesh;
-  this->ConfigureDomain(study);
+  ConfigureDomain(study, this->Domain);
   this->Layout->SetInputConnection(this->Domain->GetOutputPort());
   try
   {
@@ -99,7 +98,7 @@ double StudyGeneration::GetDomainArea()
 
 vtkAlgorithm* StudyGeneration::ConfigureTessellation(const Study& study)
 {
-  this->ConfigureDomain(study);
+  ConfigureDomain(study, this->Domain);
   this->Tessellation->SetInputConnection(this->Domain->GetOutputPort());
   this->Tessellation->SetKindByName(study.Mesh.Source);
   this->Tessellation->SetMaximumNumberOfElements(study.Mesh.MaximumElements);

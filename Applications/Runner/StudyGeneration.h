@@ -31,6 +31,9 @@ namespace pemesh
 struct Study;
 struct StudyAgglomeration;
 
+/** Sets what the study says of the domain. */
+void ConfigureDomain(const Study& study, vtkPEMDomain* domain);
+
 class StudyGeneration
 {
 public:
@@ -57,7 +60,6 @@ public:
 
 private:
   vtkAlgorithm* ConfigureReader(const Study& study);
-  void ConfigureDomain(const Study& study);
   vtkAlgorithm* ConfigureMesher(const Study& study);
   vtkAlgorithm* ConfigureTessellation(const Study& study);
   vtkAlgorithm* ConfigureSource(const Study& study);

@@ -11,6 +11,8 @@
 #ifndef pemesh_StudyPipeline_h
 #define pemesh_StudyPipeline_h
 
+#include "pemeshRunnerModule.h" // For export macro
+
 #include <atomic>
 #include <filesystem>
 #include <memory>
@@ -27,7 +29,7 @@ struct SolverDescription;
 struct Study;
 struct StudyCase;
 
-class StudyPipeline
+class PEMESHRUNNER_EXPORT StudyPipeline
 {
 public:
   struct Options

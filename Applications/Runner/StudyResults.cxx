@@ -19,6 +19,7 @@
 #include <vtkFieldData.h>
 #include <vtkIdTypeArray.h>
 #include <vtkNew.h>
+#include <vtkPolyData.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkVariant.h>
@@ -72,6 +73,29 @@ void RemoveMessages(vtkTable* results, const std::vector<std::string>& runs)
 
 } // namespace
 
+std::string SentenceOf(const StudyFailure& failure)
+{
+  return failure.Mesh + ": " + (failure.Stage == "mesh" ? std::string() : failure.Stage + ": ") +
+    failure.Message;
+}
+
+vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(mesh);
+  vtkFieldData* fields = copy->GetFieldData();
+  if (auto* names = vtkStringArray::SafeDownCast(fields->GetAbstractArray(MeasuredList)))
+  {
+    const vtkSmartPointer<vtkStringArray> kept = names; // outlives its removal
+    for (vtkIdType i = 0; i < kept->GetNumberOfValues(); ++i)
+    {
+      fields->RemoveArray(kept->GetValue(i).c_str());
+    }
+    fields->RemoveArray(MeasuredList);
+  }
+  return copy;
+}
+
 StudyResults::StudyResults(
   const Study& study, const std::vector<StudyCase>& cases, StudyJournal& journal)
   : Cases(cases)
@@ -85,14 +109,19 @@ StudyResults::StudyResults(
 
 StudyResults::~StudyResults() = default;
 
-void StudyResults::AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row)
+std::string StudyResults::AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row)
 {
   bool mayGoWell = false;
+  std::string sentences;
   for (const StudyFailure& failure : this->FailuresOf(studyCase, row))
   {
     mayGoWell = mayGoWell || failure.Stage != "mesh";
+    sentences += (sentences.empty() ? "" : "\n") + SentenceOf(failure);
   }
   this->Journal.Append(studyCase.Index, mayGoWell ? "" : key, row);
+  return sentences.empty()
+    ? studyCase.Name + ": " + row->GetValueByName(0, "Elements").ToString() + " elements"
+    : sentences;
 }
 
 void StudyResults::AddFailure(const StudyFailure& failure)

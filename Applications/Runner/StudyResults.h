@@ -13,6 +13,7 @@
 
 #include <vtkSmartPointer.h> // For the tables
 
+class vtkPolyData;
 class vtkTable;
 
 namespace pemesh
@@ -32,6 +33,13 @@ struct StudyFailure
   std::string Message;
 };
 
+/** "009: pemesh-vem: it took longer than its time limit." */
+std::string SentenceOf(const StudyFailure& failure);
+
+/** The mesh as it is saved: without what depends on the machine, so that every run gives the same.
+ */
+vtkSmartPointer<vtkPolyData> WithoutMeasured(vtkPolyData* mesh);
+
 class StudyResults
 {
 public:
@@ -41,9 +49,10 @@ public:
 
   /**
    * Keeps the row of a case. A later run takes it by its key, but not where something has failed
-   * that may go well next time: a solver, or the writing of a file. May be called from any thread.
+   * that may go well next time: a solver, or the writing of a file. Answers with what a log should
+   * say of the case. May be called from any thread.
    */
-  void AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row);
+  std::string AddRow(const StudyCase& studyCase, const std::string& key, vtkTable* row);
 
   /** A failure to write the files of a case, to be told before its row is added. From any thread.
    */

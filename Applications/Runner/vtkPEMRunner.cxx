@@ -23,7 +23,6 @@
 #include <stdexcept>
 
 #include <vtkCommand.h>
-#include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
@@ -133,8 +132,14 @@ void vtkPEMRunner::Internals::RunCases()
     this->Retries, !this->MeshesOnly };
   pemesh::StudyExecution execution(
     this->Study, this->Solvers, this->Cases, options, *this->Journal, this->Stop);
-  const auto report = [this](double fraction)
-  { this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction); };
+  const auto report = [this](double fraction, const std::vector<std::string>& lines)
+  {
+    for (std::string line : lines)
+    {
+      this->Self->InvokeEvent(vtkPEMRunner::LogEvent, line.data());
+    }
+    this->Self->InvokeEvent(vtkCommand::ProgressEvent, &fraction);
+  };
   const std::string interruption = execution.Run(*this->Results, *this->Figures, report);
   this->CasesReused = execution.GetNumberOfReusedCases();
   if (!interruption.empty())
@@ -167,8 +172,7 @@ void vtkPEMRunner::Internals::SaveResults()
   }
   for (const pemesh::StudyFailure& failure : this->Results->GetFailures())
   {
-    this->Messages.push_back(failure.Mesh + ": " +
-      (failure.Stage == "mesh" ? std::string() : failure.Stage + ": ") + failure.Message);
+    this->Messages.push_back(pemesh::SentenceOf(failure));
   }
   if (this->MeshesOnly || this->Results->GetResults()->GetNumberOfRows() == 0)
   {

@@ -26,7 +26,8 @@
  * the tables hold what is done so far. What an earlier run has left in the folder for meshes that
  * the study does not have any more is removed.
  *
- * Events: ProgressEvent with the fraction done (const double*), in the thread that called Run().
+ * Events, in the thread that called Run(): ProgressEvent with the fraction done (const double*);
+ * LogEvent with what a log should say of a case that is done (const char*).
  * @sa vtkPEMSeriesTable
  */
 #ifndef vtkPEMRunner_h
@@ -38,6 +39,7 @@
 #include <string> // For arguments
 #include <vector> // For arguments
 
+#include <vtkCommand.h> // For the numbers of events
 #include <vtkObject.h>
 
 class vtkTable;
@@ -48,6 +50,11 @@ public:
   static vtkPEMRunner* New();
   vtkTypeMacro(vtkPEMRunner, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum EventType
+  {
+    LogEvent = vtkCommand::UserEvent + 1
+  };
 
   ///@{
   /**

@@ -11,14 +11,10 @@
 #ifndef pemesh_DocumentFields_h
 #define pemesh_DocumentFields_h
 
-#include "DocumentPlace.h"
-#include "JsonValue.h"
-#include "NumberText.h"
+#include "DocumentValues.h"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,6 +38,10 @@ struct Field
   // A key may depend on the value of one that stands before it in the table.
   std::function<bool(const Owner&)> Applies = {};
   std::string AppliesTo = {}; // "the rule constant"
+  // What a form offers for it; by default any text.
+  std::function<ValueForm(const Owner&)> Form = {};
+  std::function<void(const Owner&, const std::string& path, std::vector<FormField>&)>
+    FormParts = {};
 
   Field Required() &&
   {
@@ -81,165 +81,10 @@ template <typename Owner>
 JsonValue WriteFields(const FieldTable<Owner>& table, const Owner& owner);
 template <typename Owner>
 void DescribeFields(const FieldTable<Owner>& table, const std::string& path, std::string& text);
+template <typename Owner>
+void AppendForm(const FieldTable<Owner>& table, const Owner& owner, const std::string& path,
+  std::vector<FormField>& form);
 ///@}
-
-/** An interval of numbers. */
-struct NumberRange
-{
-  double Least = -std::numeric_limits<double>::infinity();
-  double Greatest = std::numeric_limits<double>::infinity();
-  bool ExcludesLeast = false;
-
-  /** "between 0 and 34", "greater than 0", … */
-  std::string Describe() const
-  {
-    const bool hasGreatest = std::isfinite(this->Greatest);
-    if (!std::isfinite(this->Least))
-    {
-      return hasGreatest ? "at most " + Show(this->Greatest) : "";
-    }
-    if (!hasGreatest)
-    {
-      return (this->ExcludesLeast ? "greater than " : "at least ") + Show(this->Least);
-    }
-    return "between " + Show(this->Least) + " and " + Show(this->Greatest);
-  }
-
-  /** 10000000 rather than 1e+07. */
-  static std::string Show(double value) { return FormatJsonCompact(JsonNumber(value)); }
-
-  bool Has(double value) const
-  {
-    return std::isfinite(value) && value <= this->Greatest &&
-      (this->ExcludesLeast ? value > this->Least : value >= this->Least);
-  }
-};
-
-/** Shortened, for messages. */
-inline std::string ShowValue(const JsonValue& json)
-{
-  std::size_t most = 40;
-  const std::string text = FormatJsonCompact(json);
-  if (text.size() <= most)
-  {
-    return text;
-  }
-  while (most > 0 && (static_cast<unsigned char>(text[most]) & 0xC0U) == 0x80U)
-  {
-    --most; // not in the middle of a character
-  }
-  return text.substr(0, most) + "…";
-}
-
-/** Separated by commas. */
-inline std::string ShowChoices(const std::vector<std::string>& choices)
-{
-  std::string text;
-  for (const std::string& choice : choices)
-  {
-    text += (text.empty() ? "" : ", ") + choice;
-  }
-  return text;
-}
-
-///@{
-/** One value of a given type; whatever else it is, is told. */
-inline double ReadNumber(
-  const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
-{
-  if (!json.IsNumber())
-  {
-    place.Fail("is " + ShowValue(json) + " where a number is expected.");
-  }
-  if (!range.Has(json.ToNumber()))
-  {
-    place.Fail("is " + ShowValue(json) + "; it must be " + range.Describe() + ".");
-  }
-  return json.ToNumber();
-}
-
-/** An integer of any size that a double holds. */
-inline double ReadWhole(const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
-{
-  const double number = json.IsNumber() ? json.ToNumber() : 0.5;
-  if (number != std::trunc(number))
-  {
-    place.Fail("is " + ShowValue(json) + " where an integer is expected.");
-  }
-  return ReadNumber(json, place, range);
-}
-
-inline int ReadInteger(const JsonValue& json, const DocumentPlace& place, const NumberRange& range)
-{
-  return static_cast<int>(ReadWhole(json, place, range));
-}
-
-inline std::string ReadText(const JsonValue& json, const DocumentPlace& place)
-{
-  const auto* text = json.As<std::string>();
-  if (!text)
-  {
-    place.Fail("is " + ShowValue(json) + " where a text is expected.");
-  }
-  return *text;
-}
-
-inline std::string ReadChoice(
-  const JsonValue& json, const DocumentPlace& place, const std::vector<std::string>& choices)
-{
-  const std::string text = ReadText(json, place);
-  for (const std::string& choice : choices)
-  {
-    if (choice == text)
-    {
-      return text;
-    }
-  }
-  place.Fail("is \"" + text + "\"; did you mean \"" + NearestWord(text, choices) + "\"? (one of " +
-    ShowChoices(choices) + ")");
-}
-
-inline const JsonValue::List& ReadList(const JsonValue& json, const DocumentPlace& place)
-{
-  const auto* list = json.As<JsonValue::List>();
-  if (!list)
-  {
-    place.Fail("is " + ShowValue(json) + " where a list is expected.");
-  }
-  return *list;
-}
-
-/** A list of texts; one text alone stands for a list of one. */
-inline std::vector<std::string> ReadTexts(const JsonValue& json, const DocumentPlace& place)
-{
-  if (json.As<std::string>())
-  {
-    return { *json.As<std::string>() };
-  }
-  std::vector<std::string> texts;
-  for (const JsonValue& item : ReadList(json, place))
-  {
-    texts.push_back(ReadText(item, place.Item(texts.size())));
-  }
-  return texts;
-}
-///@}
-
-inline JsonValue WriteTextList(const std::vector<std::string>& texts)
-{
-  JsonValue::List list;
-  for (const std::string& text : texts)
-  {
-    list.push_back({ text });
-  }
-  return { std::move(list) };
-}
-
-/** One text alone for a list of one. */
-inline JsonValue WriteTexts(const std::vector<std::string>& texts)
-{
-  return texts.size() == 1 ? JsonValue{ texts.front() } : WriteTextList(texts);
-}
 
 ///@{
 /** Entries of a table, one function a type. */
@@ -251,7 +96,8 @@ Field<Owner> NumberField(
   return { key, "number" + (bounds.empty() ? "" : " " + bounds), doc,
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { owner.*member = ReadNumber(json, place, range); },
-    [=](const Owner& owner) { return JsonNumber(owner.*member); } };
+    [=](const Owner& owner) { return JsonNumber(owner.*member); }, {}, {}, false, {}, {},
+    [=](const Owner&) { return range.FormOf(ValueForm::Number); } };
 }
 
 template <typename Owner>
@@ -262,7 +108,8 @@ Field<Owner> IntegerField(
   return { key, "integer " + range.Describe(), doc,
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { owner.*member = ReadInteger(json, place, range); },
-    [=](const Owner& owner) { return JsonValue{ std::int64_t{ owner.*member } }; } };
+    [=](const Owner& owner) { return JsonValue{ std::int64_t{ owner.*member } }; }, {}, {}, false,
+    {}, {}, [=](const Owner&) { return range.FormOf(ValueForm::Integer); } };
 }
 
 /** An integer that may be larger than an int, such as a seed. */
@@ -273,7 +120,8 @@ Field<Owner> WholeField(
   return { key, "integer " + range.Describe(), doc,
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { owner.*member = ReadWhole(json, place, range); },
-    [=](const Owner& owner) { return JsonNumber(owner.*member); } };
+    [=](const Owner& owner) { return JsonNumber(owner.*member); }, {}, {}, false, {}, {},
+    [=](const Owner&) { return range.FormOf(ValueForm::Integer); } };
 }
 
 template <typename Owner>
@@ -288,7 +136,8 @@ Field<Owner> BooleanField(const std::string& key, bool Owner::*member, const std
       }
       owner.*member = *json.As<bool>();
     },
-    [=](const Owner& owner) { return JsonValue{ owner.*member }; } };
+    [=](const Owner& owner) { return JsonValue{ owner.*member }; }, {}, {}, false, {}, {},
+    [](const Owner&) { return ValueForm{ ValueForm::Truth }; } };
 }
 
 /** The key is left out where the text is empty. */
@@ -312,6 +161,12 @@ Field<Owner> ChoiceField(const std::string& key, std::string Owner::*member,
   field.Type = "one of " + ShowChoices(choices);
   field.Read = [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
   { owner.*member = ReadChoice(json, place, choices); };
+  field.Form = [=](const Owner&)
+  {
+    ValueForm form{ ValueForm::Choice };
+    form.Choices = choices;
+    return form;
+  };
   return field;
 }
 
@@ -323,7 +178,8 @@ Field<Owner> TextsField(
   return { key, "text or list of texts", doc,
     [=](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     { owner.*member = ReadTexts(json, place); },
-    [=](const Owner& owner) { return WriteTexts(owner.*member); } };
+    [=](const Owner& owner) { return WriteTexts(owner.*member); }, {}, {}, false, {}, {},
+    [](const Owner&) { return ValueForm{ ValueForm::Texts }; } };
 }
 
 template <typename Owner, typename Part>
@@ -336,7 +192,10 @@ Field<Owner> ObjectField(const std::string& key, Part Owner::*member, const Fiel
     [=](const Owner& owner) { return WriteFields(parts, owner.*member); },
     [=](std::string& text, const std::string& path) { DescribeFields(parts, path, text); },
     [=](const DocumentPlace& place, Owner& owner)
-    { ReadFields(parts, JsonValue{ JsonValue::Object() }, place, owner.*member); } };
+    { ReadFields(parts, JsonValue{ JsonValue::Object() }, place, owner.*member); },
+    false, {}, {}, {},
+    [=](const Owner& owner, const std::string& path, std::vector<FormField>& form)
+    { AppendForm(parts, owner.*member, path, form); } };
 }
 
 template <typename Owner, typename Item>
@@ -455,6 +314,27 @@ JsonValue WriteFields(const FieldTable<Owner>& table, const Owner& owner)
     table.WriteOther(owner, object);
   }
   return { std::move(object) };
+}
+
+template <typename Owner>
+void AppendForm(const FieldTable<Owner>& table, const Owner& owner, const std::string& path,
+  std::vector<FormField>& form)
+{
+  for (const Field<Owner>& field : table.Fields)
+  {
+    if (!field.IsFor(owner))
+    {
+      continue;
+    }
+    const std::string full = path + "." + field.Key;
+    if (field.FormParts)
+    {
+      field.FormParts(owner, full, form);
+      continue;
+    }
+    form.push_back({ full, field.Key, field.Type, field.Doc,
+      field.Form ? field.Form(owner) : ValueForm{}, field.Write(owner), field.IsRequired });
+  }
 }
 
 /** What the key holds where it is left out, if that is one plain value. */

@@ -87,6 +87,24 @@ bool HasKeys(const JsonValue& value, std::span<const std::string> keys)
   return member && HasKeys(*member, keys.subspan(1));
 }
 
+const JsonValue* FindKeys(const JsonValue& value, std::span<const std::string> keys)
+{
+  if (keys.empty())
+  {
+    return &value;
+  }
+  if (const auto* list = value.As<JsonValue::List>())
+  {
+    const std::optional<long long> index = ParseInteger(keys.front());
+    return index && *index >= 0 && static_cast<std::size_t>(*index) < list->size()
+      ? FindKeys((*list)[static_cast<std::size_t>(*index)], keys.subspan(1))
+      : nullptr;
+  }
+  const auto* object = value.As<JsonValue::Object>();
+  const JsonValue* member = object ? FindMember(*object, keys.front()) : nullptr;
+  return member ? FindKeys(*member, keys.subspan(1)) : nullptr;
+}
+
 } // namespace
 
 std::vector<std::string> SplitDocumentPath(std::string_view path)
@@ -123,6 +141,30 @@ void SetAtPath(
 bool HasPath(const JsonValue& document, std::string_view path)
 {
   return HasKeys(document, SplitDocumentPath(path));
+}
+
+const JsonValue* FindAtPath(const JsonValue& document, std::string_view path)
+{
+  return FindKeys(document, SplitDocumentPath(path));
+}
+
+void RemoveAtPath(JsonValue& document, std::string_view path)
+{
+  const std::vector<std::string> keys = SplitDocumentPath(path);
+  auto* owner = const_cast<JsonValue*>(
+    FindKeys(document, std::span<const std::string>(keys).first(keys.size() - 1)));
+  if (auto* list = owner ? owner->As<JsonValue::List>() : nullptr)
+  {
+    const std::optional<long long> index = ParseInteger(keys.back());
+    if (index && *index >= 0 && static_cast<std::size_t>(*index) < list->size())
+    {
+      list->erase(list->begin() + *index);
+    }
+  }
+  else if (auto* object = owner ? owner->As<JsonValue::Object>() : nullptr)
+  {
+    std::erase_if(*object, [&](const JsonMember& member) { return member.Key == keys.back(); });
+  }
 }
 
 } // namespace pemesh

@@ -8,6 +8,7 @@
 #define pemesh_DocumentPath_h
 
 #include "JsonValue.h"
+#include "pemeshIOStudyModule.h" // For export macro
 
 #include <string>
 #include <string_view>
@@ -17,18 +18,24 @@ namespace pemesh
 {
 
 /** The keys of a path, one after the other. */
-std::vector<std::string> SplitDocumentPath(std::string_view path);
+PEMESHIOSTUDY_EXPORT std::vector<std::string> SplitDocumentPath(std::string_view path);
 
 /**
  * Sets the value, or all values, of a path. Objects that are missing on the way are made. Throws
  * std::runtime_error with a sentence that begins with `shown`: an improper path, an item that a
  * list does not have.
  */
-void SetAtPath(
+PEMESHIOSTUDY_EXPORT void SetAtPath(
   JsonValue& document, std::string_view path, const JsonValue& value, const std::string& shown);
 
 /** Whether the document has the value, or all values, of a path. */
-bool HasPath(const JsonValue& document, std::string_view path);
+PEMESHIOSTUDY_EXPORT bool HasPath(const JsonValue& document, std::string_view path);
+
+/** The value of a path without *, or null; valid until the document changes. */
+PEMESHIOSTUDY_EXPORT const JsonValue* FindAtPath(const JsonValue& document, std::string_view path);
+
+/** Takes the member or the item of a path without * out; nothing happens where there is none. */
+PEMESHIOSTUDY_EXPORT void RemoveAtPath(JsonValue& document, std::string_view path);
 
 } // namespace pemesh
 

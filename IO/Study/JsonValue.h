@@ -6,6 +6,8 @@
 #ifndef pemesh_JsonValue_h
 #define pemesh_JsonValue_h
 
+#include "pemeshIOStudyModule.h" // For export macro
+
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -52,23 +54,24 @@ struct JsonMember
 };
 
 /** The value of a member, or null. */
-const JsonValue* FindMember(const JsonValue::Object& object, std::string_view key);
-JsonValue* FindMember(JsonValue::Object& object, std::string_view key);
+PEMESHIOSTUDY_EXPORT const JsonValue* FindMember(
+  const JsonValue::Object& object, std::string_view key);
+PEMESHIOSTUDY_EXPORT JsonValue* FindMember(JsonValue::Object& object, std::string_view key);
 
 /** A double without a fraction is written as an integer: 20, not 20.0. */
-JsonValue JsonNumber(double value);
+PEMESHIOSTUDY_EXPORT JsonValue JsonNumber(double value);
 
 /**
  * Strict JSON. Throws std::runtime_error with one sentence that names `source` and the line and
  * column of a syntax error, or the path of a key given twice. At most 64 levels deep.
  */
-JsonValue ParseJson(std::string_view text, const std::string& source);
+PEMESHIOSTUDY_EXPORT JsonValue ParseJson(std::string_view text, const std::string& source);
 
 /** Two blanks a level; a list of plain values and an object that fits stay on one line. */
-std::string FormatJson(const JsonValue& value);
+PEMESHIOSTUDY_EXPORT std::string FormatJson(const JsonValue& value);
 
 /** Everything on one line, for messages. */
-std::string FormatJsonCompact(const JsonValue& value);
+PEMESHIOSTUDY_EXPORT std::string FormatJsonCompact(const JsonValue& value);
 
 } // namespace pemesh
 

@@ -128,6 +128,12 @@ Field<Owner> ParameterField(const std::string& key, const std::vector<Parameteri
       }
       return std::nullopt;
     } };
+  field.Form = [=](const Owner& owner)
+  {
+    const Parameter* parameter = FindParameter(ParametersOf(entries, owner.*where.Name), key);
+    return NumberRange{ parameter->Least, parameter->Greatest }.FormOf(
+      parameter->IsInteger ? ValueForm::Integer : ValueForm::Number);
+  };
   return std::move(field).Only([=](const Owner& owner)
     { return FindParameter(ParametersOf(entries, owner.*where.Name), key) != nullptr; },
     whose + " " + names);

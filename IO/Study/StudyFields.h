@@ -28,6 +28,7 @@ const FieldTable<StudyPolygon>& PolygonFields();
 Field<Study> PolygonsField();
 Field<Study> ScatterField();
 Field<Study> MetricsField();
+FieldTable<StudyScatter> ScatterFields();
 FieldTable<StudySweep> SweepFields();
 FieldTable<StudyDomain> DomainFields();
 FieldTable<StudyMesh> MeshFields();

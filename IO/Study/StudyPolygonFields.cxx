@@ -107,7 +107,8 @@ Field<StudyPolygon> CenterField()
   return { "center", "[x, y]", "Where the middle of its bounding box goes.",
     [](const JsonValue& json, const DocumentPlace& place, StudyPolygon& polygon)
     { polygon.Center = ReadPair(json, place, {}); },
-    [](const StudyPolygon& polygon) { return WritePair(polygon.Center); } };
+    [](const StudyPolygon& polygon) { return WritePair(polygon.Center); }, {}, {}, false, {}, {},
+    [](const StudyPolygon&) { return ValueForm{ ValueForm::Pair }; } };
 }
 
 // --- scatter -------------------------------------------------------------------------------------
@@ -141,6 +142,8 @@ Field<StudyScatter> FamiliesField()
   return field;
 }
 
+} // namespace
+
 FieldTable<StudyScatter> ScatterFields()
 {
   const NumberRange positive{ .Least = 0.0, .ExcludesLeast = true };
@@ -171,8 +174,6 @@ FieldTable<StudyScatter> ScatterFields()
   };
   return table;
 }
-
-} // namespace
 
 const FieldTable<StudyPolygon>& PolygonFields()
 {

@@ -18,7 +18,9 @@ Field<StudySolver> LimitField(const SolverLimit& limit)
     [member](const JsonValue& json, const DocumentPlace& place, StudySolver& solver)
     { solver.*member = ReadNumber(json, place, { .Least = 0.0 }); },
     [member](const StudySolver& solver)
-    { return solver.*member ? std::optional(JsonNumber(*(solver.*member))) : std::nullopt; } };
+    { return solver.*member ? std::optional(JsonNumber(*(solver.*member))) : std::nullopt; },
+    {}, {}, false, {}, {},
+    [](const StudySolver&) { return NumberRange{ .Least = 0.0 }.FormOf(ValueForm::Number); } };
 }
 
 /** The order of a run, for its name, or "". */

@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "LayoutCanvas.h"
+
+#include "PolylineSimplification.h"
+#include "StudyModel.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr double KnobDistance = 26.0;   // pixels above the frame
+constexpr double FrameMargin = 7.0;     // pixels
+constexpr double StrokeTolerance = 2.5; // pixels that a drawn line may be simplified by
+constexpr double StrokeLength = 12.0;   // pixels from where a press becomes a stroke
+constexpr double GridPixels = 14.0;     // least distance of the lines of the grid
+constexpr double StepOfTurn = 15.0;     // degrees
+
+double Distance(const QPointF& a, const QPointF& b)
+{
+  return std::hypot(a.x() - b.x(), a.y() - b.y());
+}
+
+std::string PathOf(int polygon, const char* key)
+{
+  return "polygons[" + std::to_string(polygon) + "]." + key;
+}
+
+} // namespace
+
+LayoutCanvas::LayoutCanvas(StudyModel* model, QWidget* parent)
+  : PlaneView(parent)
+  , Model(model)
+{
+  this->setAccessibleName(tr("Canvas of the polygons"));
+}
+
+void LayoutCanvas::SetOutlines(const StudyOutlines& outlines)
+{
+  this->Outlines = outlines;
+  if (!outlines.Domain.empty())
+  {
+    QPolygonF loop;
+    for (const Point2& point : outlines.Domain.front())
+    {
+      loop << QPointF(point.x, point.y);
+    }
+    this->SetHomeBox(loop.boundingRect());
+  }
+  if (this->Selected >= this->NumberOfPlaced())
+  {
+    this->SetSelected(-1);
+  }
+  this->update();
+}
+
+int LayoutCanvas::NumberOfPlaced() const
+{
+  return static_cast<int>(
+    std::min(this->Outlines.Polygons.size(), this->Model->GetStudy().Polygons.size()));
+}
+
+void LayoutCanvas::SetTool(Tool tool)
+{
+  if (this->CurrentTool != tool)
+  {
+    this->CurrentTool = tool;
+    this->Line.clear();
+    this->UpdateCursor(this->Pointer);
+    this->update();
+    emit this->ToolChanged(tool);
+  }
+}
+
+void LayoutCanvas::SetSnapping(bool snapping)
+{
+  this->Snapping = snapping;
+  this->update();
+}
+
+void LayoutCanvas::SetSelected(int polygon)
+{
+  if (this->Selected != polygon)
+  {
+    this->Selected = polygon;
+    this->update();
+    emit this->SelectionChanged(polygon);
+  }
+}
+
+void LayoutCanvas::SetHint(const QString& hint)
+{
+  this->Hint = hint;
+  this->update();
+}
+
+double LayoutCanvas::GetGridStep() const
+{
+  const double least = GridPixels / this->GetTransform().Scale;
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double factor : { 1.0, 2.0, 5.0 })
+  {
+    if (factor * power >= least)
+    {
+      return factor * power;
+    }
+  }
+  return 10.0 * power;
+}
+
+/** To the decimal that is just finer than a pixel: numbers that a person can read. */
+double LayoutCanvas::RoundToPixel(double value) const
+{
+  const double decimals = std::clamp(std::ceil(std::log10(this->GetTransform().Scale)), 0.0, 15.0);
+  const double inverse = std::pow(10.0, decimals);
+  return std::round(value * inverse) / inverse;
+}
+
+QPolygonF LayoutCanvas::OnScreen(const std::vector<Point2>& points) const
+{
+  QPolygonF polygon;
+  for (const Point2& point : points)
+  {
+    polygon << this->GetTransform().ToScreen(point);
+  }
+  return polygon;
+}
+
+int LayoutCanvas::FindPolygon(const QPointF& position) const
+{
+  for (int i = this->NumberOfPlaced() - 1; i >= 0; --i)
+  {
+    const auto& points = this->Outlines.Polygons[static_cast<std::size_t>(i)].Points;
+    if (this->OnScreen(points).containsPoint(position, Qt::OddEvenFill))
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
+QRectF LayoutCanvas::GetFrame() const
+{
+  if (this->Selected < 0 || this->Selected >= this->NumberOfPlaced())
+  {
+    return {};
+  }
+  const auto& points = this->Outlines.Polygons[static_cast<std::size_t>(this->Selected)].Points;
+  return this->OnScreen(points).boundingRect().adjusted(
+    -FrameMargin, -FrameMargin, FrameMargin, FrameMargin);
+}
+
+QPointF LayoutCanvas::GetKnob() const
+{
+  const QRectF frame = this->GetFrame();
+  return { frame.center().x(), frame.top() - KnobDistance };
+}
+
+LayoutCanvas::Grip LayoutCanvas::FindGrip(const QPointF& position) const
+{
+  const QRectF frame = this->GetFrame();
+  if (!frame.isValid())
+  {
+    return Grip::None;
+  }
+  if (Distance(position, this->GetKnob()) < GripSize)
+  {
+    return Grip::Turn;
+  }
+  for (const QPointF& corner :
+    { frame.topLeft(), frame.topRight(), frame.bottomLeft(), frame.bottomRight() })
+  {
+    if (Distance(position, corner) < GripSize)
+    {
+      return Grip::Scale;
+    }
+  }
+  return Grip::None;
+}
+
+void LayoutCanvas::BeginDrag(Grip grip, const QPointF& position)
+{
+  const StudyPolygon& polygon =
+    this->Model->GetStudy().Polygons[static_cast<std::size_t>(this->Selected)];
+  this->Current = { grip, StudyModel::NewGesture(), position,
+    { polygon.Center[0], polygon.Center[1] }, polygon.Scale, polygon.Rotation };
+}
+
+void LayoutCanvas::SetCenter(const Point2& center, int gesture)
+{
+  const auto place = [this](double value)
+  {
+    const double step = this->GetGridStep();
+    return this->RoundToPixel(this->Snapping ? std::round(value / step) * step : value);
+  };
+  this->Model->SetValue(PathOf(this->Selected, "center"),
+    { JsonValue::List{ JsonNumber(place(center.x)), JsonNumber(place(center.y)) } },
+    tr("Move polygon"), gesture);
+}
+
+void LayoutCanvas::ContinueDrag(const QPointF& position, bool inSteps)
+{
+  const Drag& drag = this->Current;
+  const QPointF center = this->GetTransform().ToScreen(drag.Center);
+  if (drag.What == Grip::Move)
+  {
+    const QPointF moved = (position - drag.From) / this->GetTransform().Scale;
+    this->SetCenter({ drag.Center.x + moved.x(), drag.Center.y - moved.y() }, drag.Gesture);
+  }
+  else if (drag.What == Grip::Scale)
+  {
+    const double factor = Distance(position, center) / std::max(1.0, Distance(drag.From, center));
+    const double scale = std::round(drag.Scale * std::max(factor, 0.01) * 1000.0) / 1000.0;
+    this->Model->SetValue(PathOf(this->Selected, "scale"), JsonNumber(std::max(scale, 0.001)),
+      tr("Scale polygon"), drag.Gesture);
+  }
+  else if (drag.What == Grip::Turn)
+  {
+    const auto angle = [&center](const QPointF& at)
+    { return std::atan2(center.y() - at.y(), at.x() - center.x()) * 180.0 / std::numbers::pi; };
+    const double step = inSteps ? StepOfTurn : 0.1;
+    const double turned = drag.Rotation + angle(position) - angle(drag.From);
+    const double whole = std::round(std::remainder(turned, 360.0) / step * 10.0 * step) / 10.0;
+    const double rotation =
+      inSteps ? std::round(std::remainder(turned, 360.0) / step) * step : whole;
+    this->Model->SetValue(
+      PathOf(this->Selected, "rotation"), JsonNumber(rotation), tr("Turn polygon"), drag.Gesture);
+  }
+}
+
+void LayoutCanvas::FinishDrawing(bool isStroke)
+{
+  const std::vector<Point2> line = std::exchange(this->Line, {});
+  this->update();
+  if (line.size() < 3)
+  {
+    return;
+  }
+  const double tolerance = isStroke ? StrokeTolerance / this->GetTransform().Scale : 0.0;
+  const DrawnPolygon drawn =
+    PolygonOfStroke(line, tolerance, this->Snapping ? this->GetGridStep() : 0.0);
+  if (!drawn.Fault.empty())
+  {
+    emit this->Faulty(QString::fromStdString(drawn.Fault));
+    return;
+  }
+  std::vector<Point2> points;
+  for (const Point2& point : drawn.Points)
+  {
+    points.push_back({ this->RoundToPixel(point.x), this->RoundToPixel(point.y) });
+  }
+  this->SetTool(Tool::Select);
+  emit this->Drawn(points);
+}
+
+void LayoutCanvas::mousePressEvent(QMouseEvent* event)
+{
+  this->Pointer = event->position();
+  if (event->button() != Qt::LeftButton)
+  {
+    PlaneView::mousePressEvent(event);
+    return;
+  }
+  const Point2 point = this->GetTransform().ToPlane(event->position());
+  if (this->CurrentTool == Tool::Draw)
+  {
+    const bool closes = this->Line.size() > 2 &&
+      Distance(this->GetTransform().ToScreen(this->Line.front()), event->position()) < GripSize;
+    if (closes)
+    {
+      this->FinishDrawing(false);
+      return;
+    }
+    this->Line.push_back(point);
+    this->Current = { Grip::Stroke, 0, event->position(), {}, 1.0, 0.0 };
+    this->update();
+    return;
+  }
+  const Grip grip = this->FindGrip(event->position());
+  if (grip != Grip::None)
+  {
+    this->BeginDrag(grip, event->position());
+    return;
+  }
+  this->SetSelected(this->FindPolygon(event->position()));
+  if (this->Selected >= 0)
+  {
+    this->BeginDrag(Grip::Move, event->position());
+  }
+}
+
+void LayoutCanvas::mouseMoveEvent(QMouseEvent* event)
+{
+  this->Pointer = event->position();
+  PlaneView::mouseMoveEvent(event);
+  if (this->CurrentTool == Tool::Draw)
+  {
+    const bool isStroke = (event->buttons() & Qt::LeftButton) &&
+      this->Current.What == Grip::Stroke &&
+      (this->Line.size() > 1 || Distance(event->position(), this->Current.From) > StrokeLength / 3);
+    if (isStroke && this->Current.Gesture >= 0)
+    {
+      this->Current.Gesture = 1; // the press has become a stroke
+      this->Line.push_back(this->GetTransform().ToPlane(event->position()));
+    }
+    this->update();
+  }
+  else if (this->Current.What != Grip::None)
+  {
+    this->ContinueDrag(event->position(), event->modifiers() & Qt::ShiftModifier);
+  }
+  else
+  {
+    this->UpdateCursor(event->position());
+  }
+}
+
+void LayoutCanvas::mouseReleaseEvent(QMouseEvent* event)
+{
+  PlaneView::mouseReleaseEvent(event);
+  if (event->button() != Qt::LeftButton)
+  {
+    return;
+  }
+  const bool wasStroke = this->Current.What == Grip::Stroke && this->Current.Gesture > 0;
+  this->Current = {};
+  if (wasStroke)
+  {
+    this->FinishDrawing(true);
+  }
+}
+
+void LayoutCanvas::mouseDoubleClickEvent(QMouseEvent* event)
+{
+  if (this->CurrentTool == Tool::Draw)
+  {
+    this->FinishDrawing(false);
+    return;
+  }
+  PlaneView::mouseDoubleClickEvent(event);
+}
+
+void LayoutCanvas::keyPressEvent(QKeyEvent* event)
+{
+  const QPointF arrow(
+    (event->key() == Qt::Key_Right ? 1.0 : 0.0) - (event->key() == Qt::Key_Left ? 1.0 : 0.0),
+    (event->key() == Qt::Key_Up ? 1.0 : 0.0) - (event->key() == Qt::Key_Down ? 1.0 : 0.0));
+  if (this->CurrentTool == Tool::Draw && event->key() == Qt::Key_Escape)
+  {
+    this->Line.empty() ? this->SetTool(Tool::Select) : this->Line.clear();
+    this->update();
+  }
+  else if (this->CurrentTool == Tool::Draw &&
+    (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter))
+  {
+    this->FinishDrawing(false);
+  }
+  else if (!arrow.isNull() && this->Selected >= 0 && this->Selected < this->NumberOfPlaced())
+  {
+    const auto& center =
+      this->Model->GetStudy().Polygons[static_cast<std::size_t>(this->Selected)].Center;
+    const double step = this->Snapping ? this->GetGridStep() : 4.0 / this->GetTransform().Scale;
+    this->SetCenter({ center[0] + arrow.x() * step, center[1] + arrow.y() * step }, 0);
+  }
+  else
+  {
+    PlaneView::keyPressEvent(event);
+  }
+}
+
+void LayoutCanvas::leaveEvent(QEvent*)
+{
+  this->Hovered = -1;
+  this->update();
+}
+
+void LayoutCanvas::UpdateCursor(const QPointF& position)
+{
+  if (this->CurrentTool == Tool::Draw)
+  {
+    this->setCursor(Qt::CrossCursor);
+    return;
+  }
+  const Grip grip = this->FindGrip(position);
+  const int hovered = grip == Grip::None ? this->FindPolygon(position) : -1;
+  if (this->Hovered != hovered)
+  {
+    this->Hovered = hovered;
+    this->setToolTip(hovered < 0
+        ? QString()
+        : QString::fromStdString(this->Outlines.Polygons[static_cast<std::size_t>(hovered)].Name));
+    this->update();
+  }
+  this->setCursor(grip == Grip::Scale ? Qt::SizeFDiagCursor
+      : grip == Grip::Turn            ? Qt::PointingHandCursor
+      : hovered >= 0                  ? Qt::SizeAllCursor
+                                      : Qt::ArrowCursor);
+}
+
+} // namespace pemesh

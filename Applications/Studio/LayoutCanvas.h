@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * @class   LayoutCanvas
+ * @brief   The domain with its polygons and the mesh: where polygons are placed and drawn.
+ *
+ * Select: click a polygon, drag it, its corners to scale, the knob above it to turn (Shift: steps
+ * of 15 degrees). Draw: drag a stroke around the polygon, or click its corners and end with Enter,
+ * a double click or a click on the first one; Escape gives up. Arrow keys move what is selected.
+ * Every change is one of the document.
+ */
+#ifndef pemesh_LayoutCanvas_h
+#define pemesh_LayoutCanvas_h
+
+#include "PlaneView.h"
+#include "StudyOutlines.h"
+
+#include <optional>
+#include <vector>
+
+namespace pemesh
+{
+
+class StudyModel;
+
+class LayoutCanvas : public PlaneView
+{
+  Q_OBJECT
+public:
+  enum class Tool
+  {
+    Select,
+    Draw
+  };
+
+  explicit LayoutCanvas(StudyModel* model, QWidget* parent = nullptr);
+
+  void SetOutlines(const StudyOutlines& outlines);
+  void SetTool(Tool tool);
+  void SetSnapping(bool snapping);
+  void SetSelected(int polygon);
+  int GetSelected() const { return this->Selected; }
+  /** Told where there is nothing to show. */
+  void SetHint(const QString& hint);
+
+  /** Distance of the lines of the grid, a round number of some ten pixels. */
+  double GetGridStep() const;
+
+signals:
+  void SelectionChanged(int polygon);
+  /** A polygon was drawn; its corners counter-clockwise. */
+  void Drawn(const std::vector<pemesh::Point2>& points);
+  void Faulty(const QString& sentence);
+  void ToolChanged(pemesh::LayoutCanvas::Tool tool);
+
+protected:
+  void PaintAbove(QPainter& painter) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+private:
+  enum class Grip
+  {
+    None,
+    Move,
+    Scale,
+    Turn,
+    Stroke
+  };
+  /** What is dragged, and how it was when the drag began. */
+  struct Drag
+  {
+    Grip What = Grip::None;
+    int Gesture = 0;
+    QPointF From;
+    Point2 Center;
+    double Scale = 1.0;
+    double Rotation = 0.0;
+  };
+
+  static constexpr double GripSize = 9.0; // pixels
+
+  int NumberOfPlaced() const;
+  int FindPolygon(const QPointF& position) const;
+  QPolygonF OnScreen(const std::vector<Point2>& points) const;
+  /** Around the selected polygon; empty if there is none. */
+  QRectF GetFrame() const;
+  QPointF GetKnob() const;
+  Grip FindGrip(const QPointF& position) const;
+  void BeginDrag(Grip grip, const QPointF& position);
+  void ContinueDrag(const QPointF& position, bool inSteps);
+  void SetCenter(const Point2& center, int gesture);
+  double RoundToPixel(double value) const;
+  void FinishDrawing(bool isStroke);
+  void UpdateCursor(const QPointF& position);
+  void PaintGrid(QPainter& painter) const;
+  void PaintPolygons(QPainter& painter) const;
+  void PaintFrame(QPainter& painter) const;
+  void PaintDrawing(QPainter& painter) const;
+
+  StudyModel* Model;
+  StudyOutlines Outlines;
+  Tool CurrentTool = Tool::Select;
+  bool Snapping = false;
+  int Selected = -1;
+  int Hovered = -1;
+  Drag Current;
+  std::vector<Point2> Line; // what is being drawn
+  QPointF Pointer;
+  QString Hint;
+};
+
+} // namespace pemesh
+
+#endif

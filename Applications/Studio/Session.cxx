@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Session.h"
+
+#include "MeshFormats.h"
+#include "StudyModel.h"
+#include "TextFile.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTimer>
+#include <QWidget>
+
+namespace pemesh
+{
+
+namespace
+{
+
+constexpr int AutosaveMilliseconds = 3000;
+constexpr int MostRecent = 10;
+constexpr const char* RecentKey = "recentFiles";
+
+/** "studio-1234.json" for the study, "studio-1234.txt" for the file that it belongs to. */
+QString AutosaveFile(qint64 process, const char* ending)
+{
+  return QStringLiteral("%1/studio-%2.%3")
+    .arg(Session::GetAutosaveFolder())
+    .arg(process)
+    .arg(QLatin1String(ending));
+}
+
+/** The process in the name of an autosave file, or 0 if it still runs. */
+qint64 EndedProcess(const QFileInfo& file)
+{
+  const qint64 process = file.completeBaseName().section(QLatin1Char('-'), 1).toLongLong();
+  return QFileInfo::exists(QStringLiteral("/proc/%1").arg(process)) ? 0 : process;
+}
+
+QString MeshFilter()
+{
+  QStringList patterns;
+  for (const MeshFormat& format : MeshFormats())
+  {
+    for (const char* extension : format.Extensions)
+    {
+      const QString pattern = QLatin1Char('*') + QLatin1String(extension);
+      if (!patterns.contains(pattern))
+      {
+        patterns << pattern;
+      }
+    }
+  }
+  return Session::tr("Meshes (%1)").arg(patterns.join(QLatin1Char(' ')));
+}
+
+} // namespace
+
+Session::Session(StudyModel* model, QWidget* window)
+  : QObject(window)
+  , Model(model)
+  , Window(window)
+  , AutosaveTimer(new QTimer(this))
+{
+  this->AutosaveTimer->setSingleShot(true);
+  this->AutosaveTimer->setInterval(AutosaveMilliseconds);
+  connect(this->AutosaveTimer, &QTimer::timeout, this, &Session::Autosave);
+  connect(model, &StudyModel::Changed, this, [this] { this->AutosaveTimer->start(); });
+}
+
+Session::~Session()
+{
+  this->RemoveAutosave();
+}
+
+QString Session::GetAutosaveFolder()
+{
+  return QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+    QStringLiteral("/unsaved");
+}
+
+QString Session::GetOutputFolder() const
+{
+  const QString name = QString::fromStdString(this->Model->GetStudy().Name);
+  const QString folder = this->Model->GetFile().isEmpty()
+    ? QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) +
+      QStringLiteral("/results")
+    : QString::fromStdString(this->Model->GetFolder());
+  return folder + QLatin1Char('/') + (name.isEmpty() ? QStringLiteral("results") : name);
+}
+
+void Session::Autosave()
+{
+  const qint64 process = QCoreApplication::applicationPid();
+  if (!this->Model->IsModified())
+  {
+    this->RemoveAutosave();
+    return;
+  }
+  try
+  {
+    WriteTextFile(AutosaveFile(process, "txt").toStdString(), this->Model->GetFile().toStdString());
+    WriteTextFile(AutosaveFile(process, "json").toStdString(), this->Model->GetText());
+  }
+  catch (const std::exception&) // a full disk must not disturb the work; saving will tell
+  {
+  }
+}
+
+void Session::RemoveAutosave()
+{
+  const qint64 process = QCoreApplication::applicationPid();
+  QFile::remove(AutosaveFile(process, "json"));
+  QFile::remove(AutosaveFile(process, "txt"));
+}
+
+void Session::OfferRecovery()
+{
+  const QDir folder(GetAutosaveFolder());
+  for (const QFileInfo& info :
+    folder.entryInfoList({ QStringLiteral("studio-*.json") }, QDir::Files, QDir::Time))
+  {
+    const qint64 process = EndedProcess(info);
+    if (process == 0)
+    {
+      continue;
+    }
+    const QString pathFile = AutosaveFile(process, "txt");
+    try
+    {
+      const std::string text = ReadTextFile(info.filePath().toStdString());
+      const QString file = QFileInfo::exists(pathFile)
+        ? QString::fromStdString(ReadTextFile(pathFile.toStdString()))
+        : QString();
+      const auto answer = QMessageBox::question(this->Window, tr("Unsaved study"),
+        tr("PEMesh Studio ended without saving %1, last changed on %2. Bring it back?")
+          .arg(file.isEmpty() ? tr("a new study") : file,
+            QLocale().toString(info.lastModified(), QLocale::ShortFormat)));
+      if (answer == QMessageBox::Yes)
+      {
+        this->Model->Recover(text, file);
+        emit this->Opened();
+      }
+    }
+    catch (const std::exception&) // not readable, so nothing to bring back
+    {
+    }
+    QFile::remove(info.filePath());
+    QFile::remove(pathFile);
+  }
+}
+
+bool Session::ConfirmDiscard()
+{
+  if (!this->Model->IsModified())
+  {
+    return true;
+  }
+  const auto answer = QMessageBox::question(this->Window, tr("Unsaved changes"),
+    tr("%1 has changes that are not saved.").arg(this->Model->GetTitle()),
+    QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel);
+  return answer == QMessageBox::Discard || (answer == QMessageBox::Save && this->Save());
+}
+
+void Session::MakeNew()
+{
+  if (this->ConfirmDiscard())
+  {
+    this->Model->MakeNew();
+    emit this->Opened();
+  }
+}
+
+bool Session::OpenFiles(const QStringList& files)
+{
+  if (files.isEmpty() || !this->ConfirmDiscard())
+  {
+    return false;
+  }
+  try
+  {
+    if (files.front().endsWith(QLatin1String(".json"), Qt::CaseInsensitive))
+    {
+      this->Model->Open(files.front());
+      this->Remember(this->Model->GetFile());
+    }
+    else
+    {
+      this->Model->MakeFromMeshes(files);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    QMessageBox::warning(this->Window, tr("Open"), QString::fromUtf8(error.what()));
+    return false;
+  }
+  emit this->Opened();
+  return true;
+}
+
+void Session::Open()
+{
+  const QString file = QFileDialog::getOpenFileName(this->Window, tr("Open study"),
+    QString::fromStdString(this->Model->GetFolder()), tr("Studies (*.json);;All files (*)"));
+  if (!file.isEmpty())
+  {
+    this->OpenFiles({ file });
+  }
+}
+
+void Session::OpenMeshes()
+{
+  this->OpenFiles(QFileDialog::getOpenFileNames(this->Window, tr("Open meshes"),
+    QString::fromStdString(this->Model->GetFolder()), MeshFilter() + tr(";;All files (*)")));
+}
+
+bool Session::SaveTo(const QString& file)
+{
+  try
+  {
+    this->Model->Save(file);
+  }
+  catch (const std::exception& error)
+  {
+    QMessageBox::warning(this->Window, tr("Save"), QString::fromUtf8(error.what()));
+    return false;
+  }
+  this->RemoveAutosave();
+  this->Remember(this->Model->GetFile());
+  return true;
+}
+
+bool Session::Save()
+{
+  return this->Model->GetFile().isEmpty() ? this->SaveAs() : this->SaveTo(this->Model->GetFile());
+}
+
+bool Session::SaveAs()
+{
+  const QString proposed = this->Model->GetFile().isEmpty()
+    ? QString::fromStdString(
+        this->Model->GetFolder() + "/" + this->Model->GetStudy().Name + ".json")
+    : this->Model->GetFile();
+  QString file =
+    QFileDialog::getSaveFileName(this->Window, tr("Save study"), proposed, tr("Studies (*.json)"));
+  if (file.isEmpty())
+  {
+    return false;
+  }
+  if (QFileInfo(file).suffix().isEmpty())
+  {
+    file += QStringLiteral(".json");
+  }
+  return this->SaveTo(file);
+}
+
+void Session::Remember(const QString& file)
+{
+  QSettings settings;
+  QStringList files = settings.value(QLatin1String(RecentKey)).toStringList();
+  files.removeAll(file);
+  files.prepend(file);
+  settings.setValue(QLatin1String(RecentKey), files.mid(0, MostRecent));
+}
+
+void Session::FillRecentMenu(QMenu* menu)
+{
+  menu->clear();
+  const QStringList files = QSettings().value(QLatin1String(RecentKey)).toStringList();
+  for (const QString& file : files)
+  {
+    QAction* action = menu->addAction(
+      QFileInfo(file).fileName() + QStringLiteral("   ") + QFileInfo(file).absolutePath());
+    action->setEnabled(QFileInfo::exists(file));
+    connect(action, &QAction::triggered, this, [this, file] { this->OpenFiles({ file }); });
+  }
+  if (files.isEmpty())
+  {
+    menu->addAction(tr("None yet"))->setEnabled(false);
+  }
+}
+
+} // namespace pemesh

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Runs the tests on a display of their own: an Xvfb that ends with them.
+#include "Appearance.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QProcess>
+#include <QStandardPaths>
+
+#include <cstdio>
+#include <cstring>
+
+namespace
+{
+
+/** False if there is no display to be had. */
+bool StartDisplay(QProcess& server)
+{
+  server.start(QStringLiteral("Xvfb"),
+    { QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+      QStringLiteral("0"), QStringLiteral("1600x1000x24"), QStringLiteral("-nolisten"),
+      QStringLiteral("tcp") });
+  if (!server.waitForStarted() || !server.waitForReadyRead())
+  {
+    return false;
+  }
+  qputenv("DISPLAY", ":" + server.readLine().trimmed());
+  return true;
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  testing::InitGoogleTest(&argc, argv);
+  if (GTEST_FLAG_GET(list_tests))
+  {
+    return RUN_ALL_TESTS();
+  }
+  QProcess server;
+  if (!StartDisplay(server))
+  {
+    std::fputs("Xvfb did not start: install the Debian package xvfb.\n", stderr);
+    return 1;
+  }
+  qputenv("QT_QPA_PLATFORM", "xcb");
+  int result = 1;
+  {
+    QApplication application(argc, argv);
+    QStandardPaths::setTestModeEnabled(true);
+    QApplication::setOrganizationName(QStringLiteral("PEMesh"));
+    QApplication::setApplicationName(QStringLiteral("pemesh-studio-test"));
+    pemesh::ApplyTheme(application, pemesh::ThemeChoice::Light);
+    result = RUN_ALL_TESTS();
+  }
+  server.terminate();
+  server.waitForFinished();
+  return result;
+}

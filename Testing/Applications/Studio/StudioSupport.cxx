@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "StudioSupport.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QDir>
+#include <QPixmap>
+#include <QTest>
+#include <QWidget>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace studio_test
+{
+
+bool WaitFor(const std::function<bool()>& condition, int milliseconds)
+{
+  QElapsedTimer clock;
+  clock.start();
+  while (!condition())
+  {
+    if (clock.elapsed() > milliseconds)
+    {
+      return false;
+    }
+    QTest::qWait(5);
+  }
+  return true;
+}
+
+void Keep(QWidget* widget, const char* name)
+{
+  QTest::qWait(100); // what was asked for is painted
+  const QString folder = qEnvironmentVariable("PEMESH_STUDIO_PICTURES", PEMESH_TEST_OUTPUT);
+  const QString file = QStringLiteral("%1/studio-%2.png").arg(folder, QLatin1String(name));
+  EXPECT_TRUE(widget->grab().save(file)) << file.toStdString();
+}
+
+std::string MakeFolder(const std::string& name)
+{
+  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / name;
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder.string();
+}
+
+std::string ReadFile(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+Watchdog::Watchdog()
+{
+  this->Timer.setInterval(0);
+  QObject::connect(&this->Timer, &QTimer::timeout, &this->Timer,
+    [this] { this->Longest = std::max(this->Longest, this->Clock.restart()); });
+  this->Restart();
+  this->Timer.start();
+}
+
+void Watchdog::Restart()
+{
+  this->Longest = 0;
+  this->Clock.restart();
+}
+
+} // namespace studio_test
