@@ -112,6 +112,30 @@ AxisRange RangeOf(const ChartAxis& axis, const Extent& extent)
                           : PadLinearRange(extent.Low, extent.High);
 }
 
+/** Says where all values are one: the picture alone does not tell that from a single value. */
+void RemarkOnConstants(
+  const ChartPlot& plot, const Extent& x, const Extent& y, std::vector<std::string>& remarks)
+{
+  std::size_t points = 0;
+  for (const ChartSeries& series : plot.AllSeries)
+  {
+    // Series of all rows share them; classes have rows of their own.
+    const std::size_t rows = series.OfRows ? series.X.size() : 0;
+    points = series.Rows.empty() ? std::max(points, rows) : points + rows;
+  }
+  const auto remark = [&](const ChartAxis& axis, const Extent& extent, const std::string& otherwise)
+  {
+    if (points > 1 && axis.Categories.empty() && extent.Low == extent.High)
+    {
+      const bool named = axis.Title.find_first_not_of(' ') != std::string::npos;
+      remarks.push_back("All values of " + (named ? axis.Title : otherwise) + " are " +
+        ReadableNumber(axis.ValueAt(extent.Low)) + ".");
+    }
+  };
+  remark(plot.X, x, "x");
+  remark(plot.Y, y, plot.Title.empty() ? "y" : plot.Title);
+}
+
 std::string Count(long count, const std::string& what)
 {
   return std::to_string(count) + (count == 1 ? " value " : " values ") + what;
@@ -174,6 +198,8 @@ void FinishPlot(ChartPlot& plot)
     addValue(bar.HasValue ? bar.Value : NoValue);
   }
   plot.Values = { values.Low, values.High };
+  plot.Remarks.clear();
+  RemarkOnConstants(plot, x, y, plot.Remarks);
   plot.IsEmpty = std::isnan(y.Low);
   plot.X.Range = RangeOf(plot.X, x);
   plot.Y.Range = RangeOf(plot.Y, y);
@@ -206,9 +232,17 @@ std::string DescribePicture(const ChartPicture& picture)
     add(Count(infinite, "infinite"));
   }
   text += text.empty() ? "" : ".";
-  for (const std::string& note : picture.Notes)
+  std::vector<std::string> sentences = picture.Notes;
+  if (!picture.IsMatrix) // which would say it of every pair
   {
-    text += (text.empty() ? "" : " ") + note;
+    for (const ChartPlot& plot : picture.Plots)
+    {
+      sentences.insert(sentences.end(), plot.Remarks.begin(), plot.Remarks.end());
+    }
+  }
+  for (const std::string& sentence : sentences)
+  {
+    text += (text.empty() ? "" : " ") + sentence;
   }
   return text;
 }

@@ -102,7 +102,8 @@ struct ChartShape
   std::vector<double> X;
   std::vector<double> Y;
   int Style = 0;
-  bool Grey = false; // an annotation rather than data
+  bool Grey = false;    // an annotation rather than data
+  bool IsStrip = false; // concave: vertex i and the i-th from the end are opposite each other
 };
 
 struct ChartText
@@ -137,6 +138,7 @@ struct ChartPlot
 
   // Made by FinishPlot.
   bool IsEmpty = true;
+  std::vector<std::string> Remarks;        // what is striking about the values
   AxisRange Values = { NoValue, NoValue }; // that colour the marks
   long NotPositive = 0;
   long Undefined = 0;

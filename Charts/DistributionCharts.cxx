@@ -216,6 +216,7 @@ void AddViolin(const ChartRequest& request, const Batch& batch, double most,
 {
   const Slot slot = SlotOf(request, batch);
   ChartShape shape;
+  shape.IsStrip = true;
   shape.Style = StyleOf(request, batch);
   const std::size_t n = density.X.size();
   for (std::size_t i = 0; i < 2 * n; ++i)

@@ -197,7 +197,24 @@ void MarkPainter::DrawShape(const ChartShape& shape)
   fill[3] = shape.Grey ? fill[3] : Opacity(this->Painter.Style().BandOpacity);
   this->Painter.SetPen(0.0, fill, vtkPen::NO_PEN);
   this->Painter.SetBrush(fill);
-  this->Painter.Context()->DrawPolygon(points.data(), static_cast<int>(points.size() / 2));
+  const std::size_t count = points.size() / 2;
+  if (shape.IsStrip)
+  {
+    // OpenGL fills concave polygons wrongly, and strips right.
+    std::vector<float> strip;
+    for (std::size_t i = 0; i < count / 2; ++i)
+    {
+      for (const std::size_t at : { i, count - 1 - i })
+      {
+        strip.insert(strip.end(), { points[2 * at], points[2 * at + 1] });
+      }
+    }
+    this->Painter.Context()->DrawQuadStrip(strip.data(), static_cast<int>(strip.size() / 2));
+  }
+  else
+  {
+    this->Painter.Context()->DrawPolygon(points.data(), static_cast<int>(count));
+  }
   points.insert(points.end(), points.begin(), points.begin() + 2);
   this->Painter.Poly(points, 0.1, line);
 }

@@ -183,6 +183,9 @@ TEST(ChartKinds, WhatIsMissingIsSaidInOneSentence)
   EXPECT_EQ(note("scatter", "plain", "xy"), "");
   EXPECT_EQ(
     note("scatter", "negative", "y"), "Not drawn: 6 values not positive (logarithmic y axis).");
+  EXPECT_EQ(note("scatter", "constant", ""), "All values of x are 3.");
+  EXPECT_THAT(note("small-multiples", "constant", ""), HasSubstr("All values of a are 7."));
+  EXPECT_EQ(note("scatter", "one row", ""), "");
   EXPECT_EQ(note("box", "infinite", ""), "Not drawn: 3 values infinite.");
   EXPECT_EQ(note("violin", "some undefined", ""), "Not drawn: 2 values undefined.");
   EXPECT_THAT(note("convergence", "negative", ""), HasSubstr("No order of \"a\""));
