@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QProcess>
+#include <QSettings>
 #include <QStandardPaths>
 
 #include <cstdio>
@@ -50,6 +51,8 @@ int main(int argc, char* argv[])
   {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
+    QSettings::setPath(
+      QSettings::NativeFormat, QSettings::UserScope, QStringLiteral(PEMESH_TEST_OUTPUT));
     QApplication::setOrganizationName(QStringLiteral("PEMesh"));
     QApplication::setApplicationName(QStringLiteral("pemesh-studio-test"));
     pemesh::ApplyTheme(application, pemesh::ThemeChoice::Light);
