@@ -168,7 +168,7 @@ TEST(GaussRules, AreExactToTheirDegree)
         const double exact = power % 2 == 0 ? 1.0 / (power + 1) : 0.0;
         if (power <= degree)
         {
-          EXPECT_NEAR(sum, exact, 4.0e-16) << n << " " << power;
+          EXPECT_NEAR(sum, exact, 1.0e-15) << n << " " << power;
         }
         else if (n < 8)
         {
