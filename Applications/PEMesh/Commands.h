@@ -28,6 +28,9 @@ void AddRenderCommand(CLI::App& program, int& exitCode);
 /** correlate, plot: what is done with a table. */
 void AddTableCommands(CLI::App& program, int& exitCode);
 
+/** convergence: the observed orders in a table. */
+void AddConvergenceCommand(CLI::App& program, int& exitCode);
+
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);
 

@@ -10,6 +10,7 @@
 #include "ResultPanels.h"
 #include "SolverDescriptionFile.h"
 #include "Study.h"
+#include "TableColumns.h"
 #include "Terminal.h"
 #include "vtkPEMChart.h"
 #include "vtkPEMCorrelation.h"
@@ -53,27 +54,6 @@ struct PlotArguments
   std::string Title;
   double Width = 10.0;
 };
-
-void CheckNumericColumns(vtkTable* table, const std::vector<std::string>& names)
-{
-  for (const std::string& name : names)
-  {
-    if (vtkDataArray::SafeDownCast(table->GetColumnByName(name.c_str())))
-    {
-      continue;
-    }
-    std::vector<std::string> known;
-    for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-    {
-      if (vtkDataArray::SafeDownCast(table->GetColumn(i)))
-      {
-        known.emplace_back(table->GetColumnName(i));
-      }
-    }
-    throw std::runtime_error("The table has no column \"" + name +
-      "\" of numbers; the nearest is \"" + NearestWord(name, known) + "\".");
-  }
-}
 
 int Correlate(const CorrelateArguments& arguments)
 {

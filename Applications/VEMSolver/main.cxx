@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * `pemesh-vem`: the bundled solver, a program like any other solver: it reads a mesh and leaves
- * one number a vertex, or one number, in each of its files (Applications/Solvers/README.md).
+ * one number a vertex, an element or a mesh in each of its files (Applications/Solvers/README.md).
  */
 #include "ConditionNumber.h"
+#include "EllipticProblem.h"
 #include "MeshFormats.h"
 #include "NumberText.h"
 #include "ParallelLoop.h"
@@ -43,8 +44,13 @@ struct Arguments
   std::string Output;
   std::string Problem = "franke";
   int Order = 1;
+  std::string Basis = pemesh::BasisRules().front().Name;
+  std::string Stabilisation = pemesh::StabilisationRules().front().Name;
   std::string Constant = "boundary";
   std::string Load = "pi0";
+  std::string Solver = "auto";
+  std::string Details = "basic";
+  pemesh::ProblemFormulas Formulas;
   int Threads = 1;
   bool ListProblems = false;
 };
@@ -54,6 +60,36 @@ void Say(const std::string& sentence)
   std::fputs(("pemesh-vem: " + sentence + "\n").c_str(), stderr);
 }
 
+// An option whose value is the name of an entry of a table.
+template <typename Entry>
+void AddChoice(CLI::App& program, const char* name, std::string& value,
+  std::span<const Entry> table, const std::string& description)
+{
+  std::vector<std::string> names;
+  for (const Entry& entry : table)
+  {
+    names.emplace_back(entry.Name);
+  }
+  program.add_option(name, value, description)->check(CLI::IsMember(names))->capture_default_str();
+}
+
+void AddFormulas(CLI::App& program, pemesh::ProblemFormulas& formulas)
+{
+  const auto add = [&program](const char* name, std::string& formula, const char* description)
+  { program.add_option(name, formula, description)->group("Formulas of x and y"); };
+  add("--solution", formulas.Solution, "The solution u, in place of the test problem");
+  add("--diffusion", formulas.Diffusion, "kappa in -div(kappa grad u) + beta . grad u + c u = f");
+  add("--advection-x", formulas.AdvectionX, "The first component of beta");
+  add("--advection-y", formulas.AdvectionY, "The second component of beta");
+  add("--reaction", formulas.Reaction, "c");
+  add("--source", formulas.Load, "f, where there is no solution to derive it from");
+  add("--dirichlet", formulas.Dirichlet, "u on the boundary, where there is no solution");
+  add("--neumann", formulas.Neumann,
+    "kappa du/dn in place of u is given on the edges of the boundary at whose midpoints this is "
+    "positive");
+  add("--flux", formulas.Flux, "kappa du/dn there; derived from the solution, else 0");
+}
+
 void AddOptions(CLI::App& program, Arguments& arguments)
 {
   program.add_option("--mesh", arguments.Mesh, "The mesh: OFF, OBJ, NODE (with ELE), STL or VTP");
@@ -61,19 +97,25 @@ void AddOptions(CLI::App& program, Arguments& arguments)
     "The elements of a NODE file; only needed if a caller passes both: the name must be the same");
   program.add_option("--output", arguments.Output, "The folder for the results");
   program.add_option("--problem", arguments.Problem, "The test problem")->capture_default_str();
-  program.add_option("--order", arguments.Order, "The order of the method: 1")
+  program.add_option("--order", arguments.Order, "The order of the method: 1 to 6")
     ->capture_default_str();
+  AddChoice(program, "--basis", arguments.Basis, pemesh::BasisRules(),
+    "The basis of the polynomials on an element");
+  AddChoice(program, "--stabilisation", arguments.Stabilisation, pemesh::StabilisationRules(),
+    "The stabilisation");
+  AddChoice(program, "--p0", arguments.Constant, pemesh::ProjectionConstants(),
+    "What fixes the constant of the projection at order 1: the mean over the boundary of the "
+    "element, or over its vertices");
+  AddChoice(program, "--load", arguments.Load, pemesh::LoadProjections(),
+    "What the source is integrated against: the basis functions' L2 projections of degree order - "
+    "1 (pi0), their gradient projections (pinabla), or their L2 projections (pi0-k)");
+  AddChoice(program, "--solver", arguments.Solver, pemesh::SolverKinds(),
+    "Direct, iterative, or direct if the factor fits into memory");
   program
-    .add_option("--p0", arguments.Constant,
-      "What fixes the constant of the projection: the mean over the boundary of the element, or "
-      "over its vertices")
-    ->check(CLI::IsMember({ "boundary", "vertex" }))
-    ->capture_default_str();
-  program
-    .add_option("--load", arguments.Load,
-      "What the source is integrated against: the means of the projected basis functions (pi0), "
-      "or these functions (pinabla)")
-    ->check(CLI::IsMember({ "pi0", "pinabla" }))
+    .add_option("--details", arguments.Details,
+      "all: also what may cost more than solving (condition number in the 2-norm, iterations of "
+      "conjugate gradients, conditions and checks of the elements)")
+    ->check(CLI::IsMember({ "basic", "all" }))
     ->capture_default_str();
   program
     .add_option(
@@ -81,6 +123,7 @@ void AddOptions(CLI::App& program, Arguments& arguments)
     ->check(CLI::Range(0, 4096))
     ->capture_default_str();
   program.add_flag("--list-problems", arguments.ListProblems, "Print the test problems and stop");
+  AddFormulas(program, arguments.Formulas);
 }
 
 void ListProblems()
@@ -102,10 +145,10 @@ std::string WhyWrong(const Arguments& arguments)
   {
     return "A folder for the results is needed: --output DIR.";
   }
-  if (arguments.Order != 1)
+  if (arguments.Order < 1 || arguments.Order > pemesh::LargestOrder)
   {
-    return "Order " + std::to_string(arguments.Order) +
-      " is not available: this version solves with --order 1 only.";
+    return "Order " + std::to_string(arguments.Order) + " is not available: --order is 1 to " +
+      std::to_string(pemesh::LargestOrder) + ".";
   }
   if (!pemesh::FindTestProblem(arguments.Problem))
   {
@@ -143,34 +186,69 @@ void WriteNumbers(const std::filesystem::path& path, std::span<const double> val
   pemesh::WriteTextFile(path, text);
 }
 
-void Solve(const Arguments& arguments)
+// A solution or a source of one's own takes the place of the test problem.
+pemesh::EllipticProblem MakeProblem(const Arguments& arguments)
 {
-  pemesh::SetNumberOfThreads(arguments.Threads);
-  const std::filesystem::path meshFile(arguments.Mesh);
-  const vtkSmartPointer<vtkPolyData> mesh = pemesh::ReadMesh(meshFile);
-  pemesh::VirtualElementOptions options;
-  options.Constant = arguments.Constant == "vertex" ? pemesh::ProjectionConstant::VertexMean
-                                                    : pemesh::ProjectionConstant::BoundaryMean;
-  options.Load =
-    arguments.Load == "pinabla" ? pemesh::LoadProjection::Gradient : pemesh::LoadProjection::Mean;
-  const pemesh::VirtualElementResult result =
-    pemesh::SolvePoisson(mesh, *pemesh::FindTestProblem(arguments.Problem), options);
+  const bool own = !arguments.Formulas.Solution.empty() || !arguments.Formulas.Load.empty();
+  return pemesh::EllipticProblem(
+    arguments.Formulas, own ? nullptr : pemesh::FindTestProblem(arguments.Problem));
+}
 
-  const std::filesystem::path folder(arguments.Output);
-  const std::string stem = meshFile.stem().string();
-  WriteNumbers(folder / (stem + "-solution.txt"), result.Solution);
-  WriteNumbers(folder / (stem + "-ground-truth.txt"), result.GroundTruth);
+pemesh::VirtualElementOptions MakeOptions(const Arguments& arguments)
+{
+  pemesh::VirtualElementOptions options;
+  options.Order = arguments.Order;
+  options.Basis = FindByName(pemesh::BasisRules(), arguments.Basis);
+  options.Stabilisation = FindByName(pemesh::StabilisationRules(), arguments.Stabilisation);
+  options.Constant = FindByName(pemesh::ProjectionConstants(), arguments.Constant)->Choice;
+  options.Load = FindByName(pemesh::LoadProjections(), arguments.Load)->Choice;
+  options.Solver = FindByName(pemesh::SolverKinds(), arguments.Solver)->Choice;
+  options.Details = arguments.Details == "all";
+  return options;
+}
+
+// One line for all: a note is no error.
+void NoteUndefined(const pemesh::VirtualElementResult& result, bool details)
+{
+  std::string names;
+  for (const auto& performance : pemesh::VirtualElementPerformances())
+  {
+    if (!std::isfinite(result.*performance.Value) && (details || !performance.Detail))
+    {
+      names += (names.empty() ? "" : ", ") + std::string(performance.Name);
+    }
+  }
+  if (!names.empty())
+  {
+    Say("note: " + names +
+      " is undefined on this mesh: the exact solution is not known, vanishes, or is constant, at "
+      "all vertices; or the solver cannot tell it.");
+  }
+}
+
+void WriteResult(
+  const pemesh::VirtualElementResult& result, const std::filesystem::path& stem, bool details)
+{
+  const auto file = [&stem](const std::string& name)
+  { return std::filesystem::path(stem.string() + '-' + name + ".txt"); };
+  WriteNumbers(file("solution"), result.Solution);
+  if (!result.GroundTruth.empty())
+  {
+    WriteNumbers(file("ground-truth"), result.GroundTruth);
+  }
   for (const pemesh::VirtualElementPerformance& performance : pemesh::VirtualElementPerformances())
   {
     const double value = result.*performance.Value;
-    WriteNumbers(folder / (stem + "-" + performance.Name + ".txt"), { &value, 1 });
-    if (!std::isfinite(value))
+    WriteNumbers(file(performance.Name), { &value, 1 });
+  }
+  for (const pemesh::VirtualElementArray& array : pemesh::VirtualElementArrays())
+  {
+    if (!(result.*array.Values).empty())
     {
-      Say(std::string("note: ") + performance.Name +
-        " is undefined on this mesh: the exact solution vanishes, or is constant, at all "
-        "vertices.");
+      WriteNumbers(file(array.Name), result.*array.Values);
     }
   }
+  NoteUndefined(result, details);
   if (result.ConditionNumber > pemesh::LargestMeaningfulConditionNumber)
   {
     Say("note: the condition number " + pemesh::FormatNumber(result.ConditionNumber) +
@@ -178,13 +256,37 @@ void Solve(const Arguments& arguments)
   }
 }
 
+void Solve(const Arguments& arguments, const pemesh::EllipticProblem& problem)
+{
+  pemesh::SetNumberOfThreads(arguments.Threads);
+  const std::filesystem::path meshFile(arguments.Mesh);
+  const vtkSmartPointer<vtkPolyData> mesh = pemesh::ReadMesh(meshFile);
+  const pemesh::VirtualElementOptions options = MakeOptions(arguments);
+  WriteResult(pemesh::SolveElliptic(mesh, problem, options),
+    std::filesystem::path(arguments.Output) / meshFile.stem(), options.Details);
+}
+
+// Empty if the formulas make a problem, else a sentence.
+std::string WhyNoProblem(const Arguments& arguments)
+{
+  try
+  {
+    MakeProblem(arguments);
+  }
+  catch (const std::exception& error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
 } // namespace
 
 int main(int argc, char** argv)
 {
   CLI::App program(
-    "Solves -Laplace u = f with the lowest-order virtual element method, u given on\n"
-    "the boundary, and reports errors and conditioning.\n"
+    "Solves -div(kappa grad u) + beta . grad u + c u = f with the virtual element method\n"
+    "of order 1 to 6, and reports errors and conditioning.\n"
     "Exit code: 0 solved, 1 bad mesh or system, 2 wrong usage.");
   program.name("pemesh-vem");
   program.set_version_flag("--version", std::string("pemesh-vem ") + PEMESH_VERSION);
@@ -198,13 +300,14 @@ int main(int argc, char** argv)
       ListProblems();
       return Solved;
     }
-    const std::string wrong = WhyWrong(arguments);
+    std::string wrong = WhyWrong(arguments);
+    wrong = wrong.empty() ? WhyNoProblem(arguments) : wrong;
     if (!wrong.empty())
     {
       Say(wrong);
       return WrongUsage;
     }
-    Solve(arguments);
+    Solve(arguments, MakeProblem(arguments));
   }
   catch (const CLI::ParseError& error)
   {

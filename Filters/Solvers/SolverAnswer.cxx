@@ -39,9 +39,19 @@ std::string Printable(std::string_view word)
   return text + (word.size() > longest ? "…" : "");
 }
 
-/** All numbers of a file, which must be `expected` finite ones. */
-vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, vtkIdType expected)
+/** What the numbers of a file belong to. */
+struct Expected
 {
+  vtkIdType Count;
+  const char* Each;           ///< "vertex"
+  bool MayBeUndefined = true; ///< "nan" is allowed
+};
+
+/** All numbers of a file. */
+vtkSmartPointer<vtkDoubleArray> ReadNumbers(
+  const std::filesystem::path& path, const Expected& wanted)
+{
+  const vtkIdType expected = wanted.Count;
   const std::string text = ReadTextFile(path);
   auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
   numbers->SetNumberOfTuples(expected);
@@ -58,7 +68,7 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
       all.begin() + static_cast<std::ptrdiff_t>(begin), '\n'));
     counted = begin;
     const std::optional<double> number = ParseNumber(word);
-    if (!number || !std::isfinite(*number))
+    if (!number || !(std::isfinite(*number) || (wanted.MayBeUndefined && std::isnan(*number))))
     {
       throw std::runtime_error("The file \"" + path.filename().string() +
         "\" of the solver has \"" + Printable(word) + "\" in line " + std::to_string(line) +
@@ -75,12 +85,14 @@ vtkSmartPointer<vtkDoubleArray> ReadNumbers(const std::filesystem::path& path, v
   {
     throw std::runtime_error("The file \"" + path.filename().string() + "\" of the solver has " +
       std::to_string(count) + (count == 1 ? " number" : " numbers") + " and should have " +
-      std::to_string(expected) + (expected == 1 ? "." : ", one for each vertex of the mesh."));
+      std::to_string(expected) +
+      (expected == 1 ? "." : std::string(", one for each ") + wanted.Each + " of the mesh."));
   }
   return numbers;
 }
 
-vtkSmartPointer<vtkDoubleArray> NeedNumbers(const std::filesystem::path& path, vtkIdType expected)
+vtkSmartPointer<vtkDoubleArray> NeedNumbers(
+  const std::filesystem::path& path, const Expected& expected)
 {
   std::error_code error;
   if (!std::filesystem::exists(path, error))
@@ -102,24 +114,37 @@ std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& de
   {
     files.push_back(AnswerFile(folder, stem, '-' + performance.Name + ".txt"));
   }
+  for (const SolverElementArray& array : description.Elements)
+  {
+    files.push_back(AnswerFile(folder, stem, '-' + array.Name + ".txt"));
+  }
   return files;
 }
 
 SolverAnswer ReadSolverAnswer(const SolverDescription& description,
-  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices)
+  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices,
+  vtkIdType elements)
 {
   SolverAnswer answer;
-  answer.Solution = NeedNumbers(AnswerFile(folder, stem, SolutionSuffix), vertices);
+  const Expected atVertices{ vertices, "vertex", false };
+  answer.Solution = NeedNumbers(AnswerFile(folder, stem, SolutionSuffix), atVertices);
   const std::filesystem::path truth = AnswerFile(folder, stem, GroundTruthSuffix);
   std::error_code error;
   if (std::filesystem::exists(truth, error))
   {
-    answer.GroundTruth = ReadNumbers(truth, vertices);
+    answer.GroundTruth = ReadNumbers(truth, atVertices);
   }
   for (const SolverPerformance& performance : description.Performances)
   {
-    const auto number = NeedNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), 1);
+    const auto number =
+      NeedNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"), { 1, "mesh" });
     answer.Performances.push_back(number->GetValue(0));
+  }
+  for (const SolverElementArray& array : description.Elements)
+  {
+    const std::filesystem::path file = AnswerFile(folder, stem, '-' + array.Name + ".txt");
+    answer.Elements.push_back(
+      std::filesystem::exists(file, error) ? ReadNumbers(file, { elements, "element" }) : nullptr);
   }
   return answer;
 }

@@ -23,6 +23,8 @@ struct SolverAnswer
   vtkSmartPointer<vtkDoubleArray> Solution;
   vtkSmartPointer<vtkDoubleArray> GroundTruth; // null where the solver does not know it
   std::vector<double> Performances;            // in the order of the description
+  /** In the order of the description; null where the solver has not written one. */
+  std::vector<vtkSmartPointer<vtkDoubleArray>> Elements;
 };
 
 /** The files that the contract names for `stem`, whether they exist or not. */
@@ -31,7 +33,8 @@ std::vector<std::filesystem::path> SolverAnswerFiles(const SolverDescription& de
 
 /** Throws std::runtime_error naming the file and what is wrong with it. */
 SolverAnswer ReadSolverAnswer(const SolverDescription& description,
-  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices);
+  const std::filesystem::path& folder, const std::string& stem, vtkIdType vertices,
+  vtkIdType elements);
 
 } // namespace pemesh
 

@@ -6,7 +6,9 @@
  *
  * The contract: called on the mesh file M.off, the solver leaves in its output folder
  * M-solution.txt and, if it knows, M-ground-truth.txt (one finite number a vertex, in the order of
- * the vertices of the mesh), and M-<performance>.txt with one finite number for each performance.
+ * the vertices of the mesh), M-<performance>.txt with one number for each performance, "nan" where
+ * it is undefined, and, if it likes, M-<array>.txt for each array of the elements, one number an
+ * element, "nan" where undefined.
  * It ends with exit status 0.
  */
 #ifndef pemesh_SolverDescription_h
@@ -39,6 +41,14 @@ struct SolverPerformance
   bool operator==(const SolverPerformance&) const = default;
 };
 
+/** Numbers that the solver may write for each mesh, one an element. */
+struct SolverElementArray
+{
+  std::string Name;
+  std::string Label;
+  bool operator==(const SolverElementArray&) const = default;
+};
+
 struct SolverDescription
 {
   std::string Name;
@@ -53,6 +63,7 @@ struct SolverDescription
   std::string MeshFormat = "off"; // a name of pemesh::MeshFormats()
   std::vector<SolverOption> Options;
   std::vector<SolverPerformance> Performances;
+  std::vector<SolverElementArray> Elements;
   double TimeLimit = 0.0; // seconds, 0 = none
   std::vector<std::string> VersionCommand;
   std::filesystem::path Folder; // of the description: programs named by a relative path begin here

@@ -238,8 +238,8 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
   {
     try
     {
-      outcome.Answer =
-        ReadSolverAnswer(run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints());
+      outcome.Answer = ReadSolverAnswer(run.Description, folder.GetPath(), stem,
+        mesh->GetNumberOfPoints(), mesh->GetNumberOfPolys());
     }
     catch (const std::exception& error)
     {

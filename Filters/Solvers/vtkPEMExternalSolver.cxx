@@ -8,6 +8,7 @@
 #include "SolverDescription.h"
 #include "SolverRun.h"
 
+#include <vtkCellData.h>
 #include <vtkInformation.h>
 #include <vtkInformationVector.h>
 #include <vtkNew.h>
@@ -94,6 +95,11 @@ void vtkPEMExternalSolver::PrintSelf(ostream& os, vtkIndent indent)
   {
     os << ' ' << performance.Name;
   }
+  os << "\n" << indent << "Elements:";
+  for (const pemesh::SolverElementArray& array : description.Elements)
+  {
+    os << ' ' << array.Name;
+  }
   os << "\n" << indent << "RunName: " << this->RunName << "\n";
   os << indent << "WorkDirectory: " << this->WorkDirectory << "\n";
   os << indent << "Threads: " << this->Threads << "\n";
@@ -163,6 +169,18 @@ void vtkPEMExternalSolver::AddPerformance(const std::string& name, bool measured
 void vtkPEMExternalSolver::RemoveAllPerformances()
 {
   this->Implementation->Description.Performances.clear();
+  this->Modified();
+}
+
+void vtkPEMExternalSolver::AddElementArray(const std::string& name)
+{
+  this->Implementation->Description.Elements.push_back({ name, name });
+  this->Modified();
+}
+
+void vtkPEMExternalSolver::RemoveAllElementArrays()
+{
+  this->Implementation->Description.Elements.clear();
   this->Modified();
 }
 
@@ -303,16 +321,18 @@ int vtkPEMExternalSolver::RequestData(
 void vtkPEMExternalSolver::StoreOutcome(const pemesh::SolverOutcome& outcome, vtkPolyData* output)
 {
   const std::string prefix = this->RunName.empty() ? "" : this->RunName + '_';
-  const auto storeArray = [&](const char* name, vtkDoubleArray* values)
+  const auto store = [&](vtkFieldData* data, const std::string& name, vtkDoubleArray* values)
   {
     const std::string fullName = prefix + name;
-    output->GetPointData()->RemoveArray(fullName.c_str()); // of an earlier run
+    data->RemoveArray(fullName.c_str()); // of an earlier run
     if (values)
     {
       values->SetName(fullName.c_str());
-      output->GetPointData()->AddArray(values);
+      data->AddArray(values);
     }
   };
+  const auto storeArray = [&](const char* name, vtkDoubleArray* values)
+  { store(output->GetPointData(), name, values); };
   const pemesh::SolverAnswer& answer = outcome.Answer;
   vtkSmartPointer<vtkDoubleArray> error;
   if (answer.Solution && answer.GroundTruth)
@@ -327,6 +347,13 @@ void vtkPEMExternalSolver::StoreOutcome(const pemesh::SolverOutcome& outcome, vt
   storeArray("Solution", answer.Solution);
   storeArray("GroundTruth", answer.GroundTruth);
   storeArray("Error", error);
+
+  const auto& arrays = this->Implementation->Description.Elements;
+  for (std::size_t i = 0; i < arrays.size(); ++i)
+  {
+    store(output->GetCellData(), arrays[i].Name,
+      i < answer.Elements.size() ? answer.Elements[i] : nullptr);
+  }
 
   const auto& performances = this->Implementation->Description.Performances;
   for (std::size_t i = 0; i < performances.size(); ++i)

@@ -8,11 +8,12 @@
  * Output port 0: the same and, with <run> the name of the run,
  *   point arrays "<run>_Solution" and, where the solver knows, "<run>_GroundTruth" and
  *     "<run>_Error" (= solution - ground truth);
- *   field number "<run>_<performance>" for each performance, NaN where the run failed; the names
- *     of those that depend on the machine are in the field list "Measured";
- *   field texts "<run>_Status" and "<run>_StatusMessage".
- * With an empty run name the prefix "<run>_" is left out, and the two texts are "SolverStatus" and
- * "SolverStatusMessage", because "Status" is that of the mesh, which a failed run does not change.
+ *   cell array "<run>_<array>" for each array of the elements that the solver has written;
+ *   field number "<run>_<performance>" for each performance, NaN where the run failed or it is
+ * undefined; the names of those that depend on the machine are in the field list "Measured"; field
+ * texts "<run>_Status" and "<run>_StatusMessage". With an empty run name the prefix "<run>_" is
+ * left out, and the two texts are "SolverStatus" and "SolverStatusMessage", because "Status" is
+ * that of the mesh, which a failed run does not change.
  *
  * Status words of a run: ok; not-found (no such program, or it cannot be executed); crashed (ended
  * by a signal); exit-status (not 0); time-out; bad-output (a file missing, numbers missing, too
@@ -78,6 +79,9 @@ public:
   /** Declares a performance; `measured` where it depends on the machine. */
   void AddPerformance(const std::string& name, bool measured = false);
   void RemoveAllPerformances();
+  /** Declares an array with one number an element, which the solver may write. */
+  void AddElementArray(const std::string& name);
+  void RemoveAllElementArrays();
   /** Where a program named by a relative path with a slash begins. Default: current folder. */
   void SetFolder(const std::string& folder);
   std::string GetFolder() const;

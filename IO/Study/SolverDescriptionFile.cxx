@@ -107,6 +107,18 @@ FieldTable<SolverPerformance> PerformanceFields()
   return table;
 }
 
+FieldTable<SolverElementArray> ElementArrayFields()
+{
+  FieldTable<SolverElementArray> table;
+  table.Fields = { TextField("name", &SolverElementArray::Name,
+                     "The solver may write it to <mesh>-<name>.txt, one number an element.")
+                     .Required(),
+    TextField("label", &SolverElementArray::Label, "What people read, with the unit.") };
+  table.Finish = [](const DocumentPlace& place, SolverElementArray& array)
+  { CheckFileName(place.Member("name"), array.Name); };
+  return table;
+}
+
 /** Formats whose vertices a solver can answer for. */
 std::vector<std::string> SolverMeshFormats()
 {
@@ -172,6 +184,7 @@ void FinishDescription(const DocumentPlace& place, SolverDescription& descriptio
   CheckFileName(place.Member("name"), description.Name);
   CheckUnique(description.Options, place.Member("options"));
   CheckUnique(description.Performances, place.Member("performances"));
+  CheckUnique(description.Elements, place.Member("elements"));
   std::vector<std::string> known = CommonPlaceholders;
   for (const SolverOption& option : description.Options)
   {
@@ -224,6 +237,8 @@ const FieldTable<SolverDescription>& DescriptionFields()
       ListField("options", &SolverDescription::Options, OptionFields(), "What a run can choose."),
       ListField("performances", &SolverDescription::Performances, PerformanceFields(),
         "The numbers it writes for each mesh."),
+      ListField("elements", &SolverDescription::Elements, ElementArrayFields(),
+        "The arrays it may write, one number an element."),
       NumberField("time-limit", &SolverDescription::TimeLimit, { .Least = 0.0 },
         "Seconds a mesh, 0 for none."),
       ArgumentsField("version-command", &SolverDescription::VersionCommand,
@@ -295,6 +310,10 @@ SolverDescription ParseSolverDescription(std::string_view text, const fs::path& 
   for (SolverPerformance& performance : description.Performances)
   {
     performance.Label = performance.Label.empty() ? performance.Name : performance.Label;
+  }
+  for (SolverElementArray& array : description.Elements)
+  {
+    array.Label = array.Label.empty() ? array.Name : array.Label;
   }
   description.Folder = path.parent_path();
   return description;

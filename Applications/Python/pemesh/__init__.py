@@ -22,6 +22,7 @@ from .pemeshIOMesh import *  # noqa: F401,F403
 from .pemeshFiltersGeneration import *  # noqa: F401,F403
 from .pemeshFiltersMetrics import *  # noqa: F401,F403
 from .pemeshFiltersSolvers import *  # noqa: F401,F403
+from .pemeshFiltersVirtualElements import *  # noqa: F401,F403
 from .pemeshFiltersStatistics import *  # noqa: F401,F403
 from .pemeshCharts import *  # noqa: F401,F403
 from .pemeshRunner import *  # noqa: F401,F403

@@ -43,8 +43,8 @@ fs::path WriteTwoRectangles(const fs::path& folder)
 
 TEST(Commands, HelpIsEverywhere)
 {
-  for (const char* command :
-    { "run", "generate", "metrics", "solve", "correlate", "plot", "render", "check", "list" })
+  for (const char* command : { "run", "generate", "metrics", "solve", "correlate", "plot",
+         "convergence", "render", "check", "list" })
   {
     const auto run = RunProgram("pemesh", { command, "--help" });
     EXPECT_EQ(run.ExitCode, 0) << command;
@@ -186,6 +186,13 @@ TEST(Commands, SolveThenCorrelateThenPlot)
   ASSERT_EQ(correlated.ExitCode, 0) << correlated.Errors;
   EXPECT_THAT(correlated.Output, HasSubstr("MeshSize,pemesh-vem_relative-error-l2,3,"));
   EXPECT_THAT(correlated.Output, HasSubstr("increasing"));
+  const auto orders = RunProgram("pemesh", { "convergence", results, "--format", "markdown" });
+  EXPECT_EQ(orders.ExitCode, 0) << orders.Errors;
+  EXPECT_THAT(orders.Output, HasSubstr("| pemesh-vem_relative-error-l2 | order |"));
+  EXPECT_THAT(orders.Output, HasSubstr("\n| fit |"));
+  const auto noSize = RunProgram("pemesh", { "convergence", results, "--size", "MehsSize" });
+  EXPECT_EQ(noSize.ExitCode, 2);
+  EXPECT_THAT(noSize.Errors, HasSubstr("MeshSize"));
   const auto wrong = RunProgram("pemesh", { "correlate", results, "--x", "MehsSize" });
   EXPECT_EQ(wrong.ExitCode, 2);
   EXPECT_THAT(wrong.Errors, HasSubstr("\"MeshSize\""));

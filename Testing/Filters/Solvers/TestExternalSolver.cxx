@@ -4,6 +4,8 @@
 
 #include "MeshFormats.h"
 
+#include <vtkCellData.h>
+
 #include <atomic>
 
 using namespace pemesh;
@@ -42,6 +44,34 @@ TEST(ExternalSolver, TheGroundTruthIsOptional)
   EXPECT_EQ(PointValues(solver->GetOutput(), "run_Solution").size(), 6U);
   EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("run_GroundTruth"));
   EXPECT_FALSE(solver->GetOutput()->GetPointData()->HasArray("run_Error"));
+}
+
+TEST(ExternalSolver, ArraysOfTheElementsAreReadIfTheyAreThere)
+{
+  const auto solver = MakeSolver("elements");
+  solver->AddElementArray("ErrorL2");
+  solver->AddElementArray("NotWritten");
+  solver->Update();
+  EXPECT_EQ(GetFieldText(solver->GetOutput(), "run_Status"), "ok");
+  auto* errors =
+    vtkDoubleArray::SafeDownCast(solver->GetOutput()->GetCellData()->GetArray("run_ErrorL2"));
+  ASSERT_NE(errors, nullptr);
+  ASSERT_EQ(errors->GetNumberOfTuples(), 3);
+  EXPECT_EQ(errors->GetValue(0), 0.5);
+  EXPECT_TRUE(std::isnan(errors->GetValue(2)));
+  EXPECT_EQ(solver->GetOutput()->GetCellData()->GetArray("run_NotWritten"), nullptr);
+  // Undefined, and said so.
+  EXPECT_TRUE(std::isnan(GetFieldNumber(solver->GetOutput(), "run_condition-number")));
+}
+
+TEST(ExternalSolver, AnArrayOfTheElementsWithAWrongCountIsBadOutput)
+{
+  const auto solver = MakeSolver("elements");
+  solver->AddElementArray("Short");
+  solver->Update();
+  EXPECT_EQ(GetFieldText(solver->GetOutput(), "run_Status"), "bad-output");
+  EXPECT_THAT(GetFieldText(solver->GetOutput(), "run_StatusMessage"),
+    HasSubstr("should have 3, one for each element of the mesh."));
 }
 
 TEST(ExternalSolver, WithoutARunNameThereIsNoPrefix)

@@ -29,6 +29,11 @@ write_answer()
 case $mode in
   ok) write_answer; echo "all is well" ;;
   no-truth) write_answer; rm "$base-ground-truth.txt" ;;
+  elements)
+    write_answer
+    echo nan > "$base-condition-number.txt"
+    printf '0.5\n1\nnan\n' > "$base-ErrorL2.txt"
+    printf '0.5\n1\n' > "$base-Short.txt" ;;
   slow) sleep 0.3; write_answer ;;
   status) write_answer; echo "a warning" >&2; echo "the matrix is singular." >&2; echo >&2; exit 3 ;;
   silent-status) exit 4 ;;

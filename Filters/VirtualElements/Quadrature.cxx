@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "Quadrature.h"
+
+#include "GaussRules.h"
+
+#include <algorithm>
+#include <mutex>
+#include <vector>
+
+namespace pemesh
+{
+
+namespace
+{
+
+struct QuadraturePoint
+{
+  double First;
+  double Second;
+  double Third;
+  double Weight;
+};
+
+// The orbits of the symmetry group of the triangle: the centroid, three points (1-2a, a, a), six
+// points (a, b, 1-a-b).
+void AddCentroid(std::vector<QuadraturePoint>& rule, double weight)
+{
+  const double third = 1.0 / 3.0;
+  rule.push_back({ third, third, third, weight });
+}
+
+void AddThree(std::vector<QuadraturePoint>& rule, double weight, double a)
+{
+  const double b = 1.0 - 2.0 * a;
+  rule.push_back({ b, a, a, weight });
+  rule.push_back({ a, b, a, weight });
+  rule.push_back({ a, a, b, weight });
+}
+
+void AddSix(std::vector<QuadraturePoint>& rule, double weight, double a, double b)
+{
+  const double c = 1.0 - a - b;
+  rule.push_back({ a, b, c, weight });
+  rule.push_back({ b, c, a, weight });
+  rule.push_back({ c, a, b, weight });
+  rule.push_back({ a, c, b, weight });
+  rule.push_back({ c, b, a, weight });
+  rule.push_back({ b, a, c, weight });
+}
+
+// J. Radon, Monatsh. Math. Phys. 52 (1948) 286-300.
+std::vector<QuadraturePoint> MakeDegreeFive()
+{
+  const double root = std::sqrt(15.0);
+  std::vector<QuadraturePoint> rule;
+  AddCentroid(rule, 9.0 / 40.0);
+  AddThree(rule, (155.0 - root) / 1200.0, (6.0 - root) / 21.0);
+  AddThree(rule, (155.0 + root) / 1200.0, (6.0 + root) / 21.0);
+  return rule;
+}
+
+// Dunavant's tables, carried to full precision by Newton's method on the moment equations.
+std::vector<QuadraturePoint> MakeDegreeEight()
+{
+  std::vector<QuadraturePoint> rule;
+  AddCentroid(rule, 0.14431560767778716836);
+  AddThree(rule, 0.09509163426728462468, 0.45929258829272315610);
+  AddThree(rule, 0.10321737053471825023, 0.17056930775176020672);
+  AddThree(rule, 0.03245849762319808033, 0.05054722831703097548);
+  AddSix(rule, 0.02723031417443499432, 0.00839477740995760547, 0.26311282963463811327);
+  return rule;
+}
+
+std::vector<QuadraturePoint> MakeDegreeTwelve()
+{
+  std::vector<QuadraturePoint> rule;
+  AddThree(rule, 0.02573106644045533647, 0.48821738977380488156);
+  AddThree(rule, 0.04369254453803840582, 0.43972439229446027146);
+  AddThree(rule, 0.06285822421788509822, 0.27121038501211592347);
+  AddThree(rule, 0.03479611293070893682, 0.12757614554158591368);
+  AddThree(rule, 0.00616626105155901815, 0.02131735045321037234);
+  AddSix(rule, 0.04037155776638093275, 0.11534349453469800111, 0.27571326968551417835);
+  AddSix(rule, 0.02235677320230344489, 0.02283833222225702872, 0.28132558098993955327);
+  AddSix(rule, 0.01731623110865889129, 0.02573405054833022637, 0.11625191590759714562);
+  return rule;
+}
+
+std::vector<QuadratureBlock> MakeBlocks(const std::vector<QuadraturePoint>& rule)
+{
+  std::vector<QuadratureBlock> blocks((rule.size() + PointBlockSize - 1) / PointBlockSize);
+  for (std::size_t slot = 0; slot < blocks.size() * PointBlockSize; ++slot)
+  {
+    QuadratureBlock& block = blocks[slot / PointBlockSize];
+    const std::size_t i = slot % PointBlockSize;
+    const bool real = slot < rule.size();
+    const QuadraturePoint& point = real ? rule[slot] : rule.back();
+    block.First[i] = point.First;
+    block.Second[i] = point.Second;
+    block.Third[i] = point.Third;
+    block.Weight[i] = real ? point.Weight : 0.0;
+  }
+  return blocks;
+}
+
+// Gauss' rules of n points in u and v, (x, y) = (u, v (1 - u)). The factor 1 - u of the area takes
+// one degree more in u.
+std::vector<QuadraturePoint> MakeCollapsed(int degree)
+{
+  const GaussRule outer = GaussLegendre(degree / 2 + 2);
+  const GaussRule inner = GaussLegendre(degree / 2 + 1);
+  std::vector<QuadraturePoint> rule;
+  for (std::size_t i = 0; i < outer.Points.size(); ++i)
+  {
+    const double u = outer.Points[i];
+    for (std::size_t j = 0; j < inner.Points.size(); ++j)
+    {
+      const double v = inner.Points[j] * (1.0 - u);
+      rule.push_back({ 1.0 - u - v, u, v, 2.0 * (1.0 - u) * outer.Weights[i] * inner.Weights[j] });
+    }
+  }
+  return rule;
+}
+
+constexpr int LargestCollapsedDegree = 200;
+
+const std::vector<QuadratureBlock>& CollapsedRule(int degree)
+{
+  static std::array<std::once_flag, LargestCollapsedDegree + 1> made;
+  static std::array<std::vector<QuadratureBlock>, LargestCollapsedDegree + 1> rules;
+  const std::size_t index = static_cast<std::size_t>(std::min(degree, LargestCollapsedDegree));
+  std::call_once(
+    made[index], [index] { rules[index] = MakeBlocks(MakeCollapsed(static_cast<int>(index))); });
+  return rules[index];
+}
+
+} // namespace
+
+std::span<const QuadratureBlock> TriangleRuleOfDegree(int degree)
+{
+  for (std::size_t index = 0; index < NumberOfTriangleRules; ++index)
+  {
+    if (degree <= TriangleRuleDegrees[index])
+    {
+      return TriangleRule(index);
+    }
+  }
+  return CollapsedRule(degree);
+}
+
+std::span<const QuadratureBlock> TriangleRule(std::size_t index)
+{
+  static const std::array<std::vector<QuadratureBlock>, NumberOfTriangleRules> rules = {
+    MakeBlocks(MakeDegreeFive()), MakeBlocks(MakeDegreeEight()), MakeBlocks(MakeDegreeTwelve())
+  };
+  return rules[index];
+}
+
+} // namespace pemesh

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+/**
+ * How fast the bundled solver is, by order and kind of mesh, and against a 5-point matrix
+ * factorised by Eigen in the same run.
+ *
+ *   BenchmarkSolver [largest number of unknowns = 1e6] [threads = 1]
+ *
+ * One line a run: unknowns, seconds of all processors, wall seconds of assembly and of the
+ * solution, the ratio to the baseline at the same number of unknowns, error, peak memory of a
+ * process that did this alone.
+ */
+#include "EllipticProblem.h"
+#include "MeshConversion.h"
+#include "ParallelLoop.h"
+#include "Tessellations.h"
+#include "TestProblems.h"
+#include "VirtualElementMethod.h"
+
+#include <Eigen/SparseCholesky>
+#include <Eigen/SparseCore>
+
+#include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <vector>
+
+namespace
+{
+
+/** Of all processors: other work on the machine does not count. */
+double ProcessorSeconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+vtkSmartPointer<vtkPolyData> MakeMesh(const char* name, double cells)
+{
+  const pemesh::Tessellation& entry =
+    pemesh::Tessellations()[static_cast<std::size_t>(pemesh::FindTessellation(name))];
+  pemesh::TessellationInput input;
+  input.Values = pemesh::ParameterValues(entry.Parameters);
+  input.Values.Set(entry.Parameters[0].Name, cells);
+  auto mesh = vtkSmartPointer<vtkPolyData>::New();
+  pemesh::SetPolygonMesh(mesh, pemesh::MakeTessellation(entry, input).Mesh);
+  return mesh;
+}
+
+/** Eigen's SimplicialLDLT on the 5-point matrix, assembled and solved. */
+double BaselineSeconds(double unknowns)
+{
+  const int n = static_cast<int>(std::sqrt(unknowns));
+  const double start = ProcessorSeconds();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      const int id = j * n + i;
+      entries.emplace_back(id, id, 4.0);
+      if (i + 1 < n)
+      {
+        entries.emplace_back(id + 1, id, -1.0);
+      }
+      if (j + 1 < n)
+      {
+        entries.emplace_back(id + n, id, -1.0);
+      }
+    }
+  }
+  Eigen::SparseMatrix<double> matrix(n * n, n * n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver(matrix);
+  const Eigen::VectorXd solution = solver.solve(Eigen::VectorXd::Ones(n * n));
+  return solution.allFinite() ? ProcessorSeconds() - start : 0.0;
+}
+
+struct Sample
+{
+  const char* Mesh;
+  double Cells; ///< for so many unknowns
+  int Order;
+};
+
+void Measure(const Sample& sample, int threads)
+{
+  const auto mesh = MakeMesh(sample.Mesh, sample.Cells);
+  pemesh::SetNumberOfThreads(threads);
+  pemesh::VirtualElementOptions options;
+  options.Order = sample.Order;
+  const double start = ProcessorSeconds();
+  const auto result = pemesh::SolveElliptic(mesh, *pemesh::FindTestProblem("franke"), options);
+  const double seconds = ProcessorSeconds() - start;
+  const double memory = result.MemoryMegabytes;
+  const double baseline = BaselineSeconds(result.DegreesOfFreedom);
+  std::printf("%-10s order %d %9lld elements %9.0f unknowns %7.2f s (assembly %.2f, solve %.2f) "
+              "%5.2f x baseline (%.2f s)  L2 error %.1e  %5.0f MB\n",
+    sample.Mesh, sample.Order, static_cast<long long>(mesh->GetNumberOfPolys()),
+    result.DegreesOfFreedom, seconds, result.AssemblySeconds, result.SolveSeconds,
+    seconds / baseline, baseline, result.RelativeErrorL2, memory);
+  std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  const double largest = argc > 1 ? std::atof(argv[1]) : 1e6;
+  const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  for (double unknowns = 1e5; unknowns <= largest; unknowns *= 10.0)
+  {
+    const double side = std::round(std::sqrt(unknowns));
+    std::vector<Sample> samples = { { "triangles", side, 1 }, { "voronoi", unknowns / 2.0, 1 } };
+    if (unknowns == 1e5)
+    {
+      samples.push_back({ "triangles", std::round(std::sqrt(unknowns / 2.0)), 3 }); // 1e5 triangles
+    }
+    for (const Sample& sample : samples)
+    {
+      const pid_t child = fork(); // so that the peak of one is not that of another
+      if (child == 0)
+      {
+        Measure(sample, threads);
+        std::_Exit(0);
+      }
+      waitpid(child, nullptr, 0);
+    }
+  }
+  return 0;
+}

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "GaussRules.h"
+#include "Quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using pemesh::IntegrandValues;
+using pemesh::PointBlock;
+using pemesh::PointBlockSize;
+using pemesh::Triangle2;
+
+const Triangle2 UnitTriangle = { { { 0.0, 0.0 }, { 1.0, 0.0 }, { 0.0, 1.0 } } };
+
+template <typename Function>
+auto AsIntegrand(Function function)
+{
+  return [function](const PointBlock& points, IntegrandValues values)
+  {
+    for (std::size_t i = 0; i < PointBlockSize; ++i)
+    {
+      values[0][i] = function(points.X[i], points.Y[i]);
+    }
+  };
+}
+
+// a! b! / (a + b + 2)!
+double MonomialIntegral(int a, int b)
+{
+  return std::exp(std::lgamma(a + 1) + std::lgamma(b + 1) - std::lgamma(a + b + 3));
+}
+
+double ErrorOfRule(std::size_t rule, int a, int b)
+{
+  pemesh::TriangleIntegrals sums;
+  pemesh::TriangleIntegrator(1).ApplyRule(rule, UnitTriangle,
+    AsIntegrand([a, b](double x, double y) { return std::pow(x, a) * std::pow(y, b); }), sums);
+  return std::abs(sums.Value[0] / MonomialIntegral(a, b) - 1.0);
+}
+
+template <typename Function, typename Agree>
+double Integrate(
+  const Triangle2& triangle, const Function& function, const Agree& agree, int depth = 14)
+{
+  double sum = 0.0;
+  pemesh::TriangleIntegrator(1).Add(triangle, AsIntegrand(function), agree, { &sum, 1 }, depth);
+  return sum;
+}
+
+const auto Agree = [](const auto& coarse, const auto& fine, double)
+{ return std::abs(coarse.Value[0] - fine.Value[0]) <= 1.0e-12 * fine.Absolute[0]; };
+
+TEST(Quadrature, RulesAreExactToTheirDegreeAndNoFurther)
+{
+  for (std::size_t rule = 0; rule < pemesh::NumberOfTriangleRules; ++rule)
+  {
+    const int degree = pemesh::TriangleRuleDegrees[rule];
+    for (int total = 0; total <= degree; ++total)
+    {
+      for (int a = 0; a <= total; ++a)
+      {
+        EXPECT_LT(ErrorOfRule(rule, a, total - a), 2.0e-14) << rule << " " << a << " " << total;
+      }
+    }
+    EXPECT_GT(ErrorOfRule(rule, degree + 1, 0), 1.0e-9);
+  }
+}
+
+TEST(Quadrature, WeightsArePositiveAndPointsInside)
+{
+  const std::size_t counts[] = { 7, 16, 33 };
+  for (std::size_t rule = 0; rule < pemesh::NumberOfTriangleRules; ++rule)
+  {
+    std::size_t count = 0;
+    for (const auto& block : pemesh::TriangleRule(rule))
+    {
+      for (std::size_t i = 0; i < PointBlockSize; ++i)
+      {
+        count += block.Weight[i] > 0.0 ? 1 : 0;
+        EXPECT_GE(block.Weight[i], 0.0);
+        EXPECT_GT(std::min({ block.First[i], block.Second[i], block.Third[i] }), 0.0);
+      }
+    }
+    EXPECT_EQ(count, counts[rule]);
+  }
+}
+
+TEST(Quadrature, SubdividesUntilASteepFunctionIsIntegrated)
+{
+  for (const double a : { 1.0, 20.0, 200.0 })
+  {
+    // The integral of exp(a x) over the triangle is (exp(a) - 1 - a) / a^2.
+    const double exact = (std::exp(a) - 1.0 - a) / (a * a);
+    const auto value = Integrate(
+      UnitTriangle, [a](double x, double) { return std::exp(a * x); }, Agree);
+    EXPECT_NEAR(value / exact, 1.0, 1.0e-11) << a;
+  }
+}
+
+TEST(Quadrature, EndsOnAFunctionThatJumps)
+{
+  const auto value = Integrate(
+    UnitTriangle, [](double x, double) { return x < 0.3 ? 1.0 : 0.0; }, Agree, 8);
+  EXPECT_NEAR(value, 0.3 - 0.045, 1.0e-3);
+}
+
+TEST(Quadrature, AClockwiseTriangleCountsNegative)
+{
+  const Triangle2 clockwise = { UnitTriangle[0], UnitTriangle[2], UnitTriangle[1] };
+  const auto value = Integrate(
+    clockwise, [](double x, double y) { return x + y; }, Agree);
+  EXPECT_NEAR(value, -1.0 / 3.0, 1.0e-15);
+}
+
+TEST(Quadrature, RulesOfAnyDegreeAreExact)
+{
+  for (const int degree : { 1, 4, 6, 11, 13, 14, 20, 31 })
+  {
+    for (int a = 0; a <= degree; ++a)
+    {
+      double sum = 0.0;
+      for (const auto& block : pemesh::TriangleRuleOfDegree(degree))
+      {
+        for (std::size_t i = 0; i < PointBlockSize; ++i)
+        {
+          sum += 0.5 * block.Weight[i] * std::pow(block.Second[i], a) *
+            std::pow(block.Third[i], degree - a);
+          EXPECT_GE(std::min({ block.First[i], block.Second[i], block.Third[i] }), 0.0);
+        }
+      }
+      EXPECT_NEAR(sum / MonomialIntegral(a, degree - a), 1.0, 1.0e-12) << degree << " " << a;
+    }
+  }
+}
+
+TEST(GaussRules, AreThoseOfTheTables)
+{
+  // Abramowitz, Stegun, Handbook of mathematical functions, 25.4.29 and 25.4.32, on [0, 1].
+  const auto legendre = pemesh::GaussLegendre(3);
+  EXPECT_NEAR(legendre.Points[0], 0.5 - 0.5 * std::sqrt(0.6), 1.0e-16);
+  EXPECT_NEAR(legendre.Weights[1], 4.0 / 9.0, 1.0e-16);
+  const auto lobatto = pemesh::GaussLobatto(5);
+  EXPECT_NEAR(lobatto.Points[1], 0.5 - 0.5 * std::sqrt(3.0 / 7.0), 1.0e-16);
+  EXPECT_NEAR(lobatto.Weights[0], 1.0 / 20.0, 1.0e-16);
+  EXPECT_NEAR(lobatto.Weights[1], 49.0 / 180.0, 1.0e-16);
+  EXPECT_NEAR(lobatto.Weights[2], 16.0 / 45.0, 1.0e-16);
+}
+
+TEST(GaussRules, AreExactToTheirDegree)
+{
+  for (int n = 2; n <= 12; ++n)
+  {
+    const auto check = [n](const pemesh::GaussRule& rule, int degree)
+    {
+      for (int power = 0; power <= degree + 1; ++power)
+      {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < rule.Points.size(); ++i)
+        {
+          sum += rule.Weights[i] * std::pow(2.0 * rule.Points[i] - 1.0, power);
+        }
+        const double exact = power % 2 == 0 ? 1.0 / (power + 1) : 0.0;
+        if (power <= degree)
+        {
+          EXPECT_NEAR(sum, exact, 1.0e-15) << n << " " << power;
+        }
+        else if (n < 8)
+        {
+          EXPECT_GT(std::abs(sum - exact), 1.0e-6) << n;
+        }
+      }
+    };
+    check(pemesh::GaussLegendre(n), 2 * n - 1);
+    check(pemesh::GaussLobatto(n), 2 * n - 3);
+  }
+}
+
+} // namespace
