@@ -28,6 +28,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddCheckCommand(program, exitCode);
   pemesh::AddTableCommands(program, exitCode);
+  pemesh::AddSolversCommand(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 
   pemesh::InstallMessageHandler();

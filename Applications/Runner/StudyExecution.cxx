@@ -3,6 +3,7 @@
 #include "StudyExecution.h"
 
 #include "CaseStatus.h"
+#include "MemoryBudget.h"
 #include "MeshFormats.h"
 #include "SolverDescription.h"
 #include "Study.h"
@@ -68,7 +69,14 @@ StudyExecution::StudyExecution(const Study& study, const std::vector<SolverDescr
   {
     this->MeshFiles = FindStudyMeshes(study);
   }
+  constexpr double mebiByte = 1024.0 * 1024.0;
+  if (options.SolverMemory > 0.0)
+  {
+    this->Budget = std::make_unique<MemoryBudget>(mebiByte * options.SolverMemory);
+  }
 }
+
+StudyExecution::~StudyExecution() = default;
 
 void StudyExecution::WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh)
 {
@@ -155,7 +163,8 @@ void StudyExecution::Work(int threads)
   try
   {
     StudyPipeline pipeline(this->TheStudy, this->Solvers,
-      { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries },
+      { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries,
+        this->Budget.get() },
       this->Stop);
     while (!this->Stop)
     {

@@ -23,6 +23,7 @@ class vtkTable;
 namespace pemesh
 {
 
+class MemoryBudget;
 struct SolverDescription;
 struct Study;
 struct StudyCase;
@@ -39,6 +40,7 @@ public:
     /** See vtkPEMExternalSolver. */
     bool ReusesAnswers = false;
     int Retries = 0;
+    MemoryBudget* Budget = nullptr;
   };
 
   /** `solvers` holds the description of every run of the study. `stop` is read at every progress.
