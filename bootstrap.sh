@@ -19,7 +19,8 @@ build_packages="g++ cmake ninja-build ccache pkg-config ca-certificates
   libspectra-dev libginac-dev libmetis-dev
   libcairo2-dev qt6-base-dev nlohmann-json3-dev libcli11-dev libgtest-dev libgmock-dev"
 run_packages="fonts-dejavu-core python3 python3-dev python3-vtk9"
-test_packages="librsvg2-bin poppler-utils xvfb"
+# octave, which one more test needs, is large: it runs where octave-cli is installed.
+test_packages="librsvg2-bin poppler-utils xvfb python3-numpy"
 
 say() { printf '==> %s\n' "$*"; }
 fail() { printf 'bootstrap.sh: %s\n' "$*" >&2; exit 1; }

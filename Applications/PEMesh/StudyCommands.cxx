@@ -33,6 +33,7 @@ struct RunArguments
   int Workers = 0;
   bool Resume = false;
   int Retries = 0;
+  double Memory = 0.0;
 };
 
 struct StudyArguments : RunArguments
@@ -112,11 +113,15 @@ void AddRunOptions(CLI::App* command, RunArguments& arguments)
     "Go on from what the folder holds: what is done and has not changed is not done again");
 }
 
-void AddRetryOption(CLI::App* command, RunArguments& arguments)
+void AddSolverOptions(CLI::App* command, RunArguments& arguments)
 {
   command
     ->add_option("--retry", arguments.Retries, "Times to try a mesh again where a solver fails")
     ->check(CLI::Range(0, 1000));
+  command
+    ->add_option("--memory", arguments.Memory,
+      "MiB that solvers at work may take together; they wait for each other (default: any)")
+    ->check(CLI::PositiveNumber);
 }
 
 void ApplyRunOptions(vtkPEMRunner* runner, const RunArguments& arguments)
@@ -125,6 +130,7 @@ void ApplyRunOptions(vtkPEMRunner* runner, const RunArguments& arguments)
   runner->SetNumberOfWorkers(arguments.Workers);
   runner->SetResume(arguments.Resume);
   runner->SetRetries(arguments.Retries);
+  runner->SetSolverMemory(arguments.Memory);
 }
 
 void AddRun(CLI::App& program, int& exitCode)
@@ -135,7 +141,7 @@ void AddRun(CLI::App& program, int& exitCode)
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: the name of the study)");
   AddRunOptions(command, *arguments);
-  AddRetryOption(command, *arguments);
+  AddSolverOptions(command, *arguments);
   command
     ->add_option("--set", arguments->Settings, "Change a value of the study: mesh.min-angle=25")
     ->type_name("PATH=VALUE")
@@ -225,7 +231,7 @@ void AddSolve(CLI::App& program, int& exitCode)
   command->add_option(
     "-o,--output", arguments->Output, "Folder for the results (default: SOLVER-results)");
   AddRunOptions(command, *arguments);
-  AddRetryOption(command, *arguments);
+  AddSolverOptions(command, *arguments);
   command
     ->add_option("--timeout", arguments->TimeLimit, "Seconds allowed for each mesh; 0: no limit")
     ->check(CLI::NonNegativeNumber);

@@ -31,6 +31,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddPlotCommand(program, exitCode);
   pemesh::AddReportCommand(program, exitCode);
   pemesh::AddConvergenceCommand(program, exitCode);
+  pemesh::AddSolversCommand(program, exitCode);
   pemesh::AddListCommand(program, exitCode);
 
   pemesh::InstallMessageHandler();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyExecution.h"
 
+#include "MemoryBudget.h"
 #include "MeshFormats.h"
 #include "SolverDescription.h"
 #include "Study.h"
@@ -41,7 +42,14 @@ StudyExecution::StudyExecution(const Study& study, const std::vector<SolverDescr
   {
     this->MeshFiles = FindStudyMeshes(study);
   }
+  constexpr double mebiByte = 1024.0 * 1024.0;
+  if (options.SolverMemory > 0.0)
+  {
+    this->Budget = std::make_unique<MemoryBudget>(mebiByte * options.SolverMemory);
+  }
 }
+
+StudyExecution::~StudyExecution() = default;
 
 void StudyExecution::WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh)
 {
@@ -130,7 +138,8 @@ void StudyExecution::Work(int threads)
   try
   {
     StudyPipeline pipeline(this->TheStudy, this->Solvers,
-      { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries },
+      { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries,
+        this->Budget.get() },
       this->Stop);
     while (!this->Stop)
     {

@@ -12,6 +12,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -22,6 +23,7 @@ class vtkPolyData;
 namespace pemesh
 {
 
+class MemoryBudget;
 class StudyFigures;
 class StudyJournal;
 class StudyPipeline;
@@ -42,13 +44,15 @@ public:
     int Workers = 0; // 0: one a core
     bool Resume = false;
     int Retries = 0;
-    bool WritesTables = true; // while it runs, besides the index
+    double SolverMemory = 0.0; // MiB, of all solvers at work; 0: any
+    bool WritesTables = true;  // while it runs, besides the index
   };
 
   /** All arguments must outlive the execution; `stop` is read at every progress. */
   StudyExecution(const Study& study, const std::vector<SolverDescription>& solvers,
     const std::vector<StudyCase>& cases, const Options& options, StudyJournal& journal,
     std::atomic<bool>& stop);
+  ~StudyExecution();
 
   /**
    * Does all cases, or those until the stop. Answers with a sentence where the study could not go
@@ -75,6 +79,7 @@ private:
   StudyJournal& Journal;
   std::atomic<bool>& Stop;
   std::vector<std::filesystem::path> MeshFiles;
+  std::unique_ptr<MemoryBudget> Budget;
   StudyResults* Results = nullptr;
   StudyFigures* Figures = nullptr;
   std::chrono::steady_clock::time_point NextSave;

@@ -2,17 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyFolder.h"
 
+#include "HalfWrittenFiles.h"
 #include "MeshFormats.h"
 #include "Study.h"
 #include "StudyCases.h"
 #include "StudyFile.h"
 
-#include <cerrno>
-#include <csignal>
-#include <regex>
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -47,29 +46,6 @@ void RemoveInside(const fs::path& folder, const std::string& name)
   if (!name.empty() && path.parent_path() == folder.lexically_normal())
   {
     fs::remove_all(path, ignored);
-  }
-}
-
-/** "results.csv.part123-0" of a process 123 that is no more. */
-void RemoveHalfWritten(const fs::path& folder)
-{
-  static const std::regex pattern(".+\\.part([0-9]+)-[0-9]+");
-  std::vector<std::string> names;
-  std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
-  {
-    const std::string name = entry->path().filename().string();
-    std::smatch match;
-    if (std::regex_match(name, match, pattern) && match.length(1) < 10 &&
-      kill(static_cast<pid_t>(std::stol(match[1])), 0) != 0 && errno == ESRCH)
-    {
-      names.push_back(name);
-    }
-  }
-  for (const std::string& name : names)
-  {
-    RemoveInside(folder, name);
   }
 }
 
@@ -144,7 +120,7 @@ void RemoveStaleFiles(
 {
   for (const char* part : { "", "meshes", "plots" })
   {
-    RemoveHalfWritten(*part ? folder / part : folder);
+    RemoveHalfWrittenFiles(*part ? folder / part : folder);
   }
   if (!goesOn)
   {

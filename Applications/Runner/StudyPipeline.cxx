@@ -191,6 +191,7 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
     solver->SetVersion(study.Solvers[i].Version);
     solver->SetReuseAnswers(options.ReusesAnswers);
     solver->SetRetries(options.Retries);
+    solver->SetMemoryBudget(options.Budget);
     solver->SetWorkDirectory((options.SolverFolder / study.Solvers[i].Name).string());
     pipeline.Append(solver);
     pipeline.Solvers.push_back(solver);

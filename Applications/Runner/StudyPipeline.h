@@ -25,6 +25,7 @@ class vtkTable;
 namespace pemesh
 {
 
+class MemoryBudget;
 struct SolverDescription;
 struct Study;
 struct StudyCase;
@@ -41,6 +42,7 @@ public:
     /** See vtkPEMExternalSolver. */
     bool ReusesAnswers = false;
     int Retries = 0;
+    MemoryBudget* Budget = nullptr;
   };
 
   /** `solvers` holds the description of every run of the study. `stop` is read at every progress.

@@ -56,6 +56,7 @@ public:
   bool MeshesOnly = false;
   bool Resume = false;
   int Retries = 0;
+  double SolverMemory = 0.0;
   std::vector<std::string> MeshFormats;
 
   // What follows from it.
@@ -129,7 +130,7 @@ void vtkPEMRunner::Internals::RunCases()
 {
   const pemesh::StudyExecution::Options options{ this->Output,
     this->MeshesOnly ? this->Output : this->Output / "meshes", this->NumberOfWorkers, this->Resume,
-    this->Retries, !this->MeshesOnly };
+    this->Retries, this->SolverMemory, !this->MeshesOnly };
   pemesh::StudyExecution execution(
     this->Study, this->Solvers, this->Cases, options, *this->Journal, this->Stop);
   const auto report = [this](double fraction, const std::vector<std::string>& lines)
@@ -302,6 +303,17 @@ int vtkPEMRunner::GetRetries() const
   return this->Implementation->Retries;
 }
 
+void vtkPEMRunner::SetSolverMemory(double mebibytes)
+{
+  this->Implementation->SolverMemory = mebibytes > 0.0 ? mebibytes : 0.0;
+  this->Modified();
+}
+
+double vtkPEMRunner::GetSolverMemory() const
+{
+  return this->Implementation->SolverMemory;
+}
+
 int vtkPEMRunner::GetNumberOfReusedCases() const
 {
   return this->Implementation->CasesReused;
@@ -372,6 +384,7 @@ void vtkPEMRunner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputDirectory: " << this->GetOutputDirectory() << "\n";
   os << indent << "NumberOfWorkers: " << run.NumberOfWorkers << "\n";
   os << indent << "Resume: " << run.Resume << "\n";
+  os << indent << "SolverMemory: " << run.SolverMemory << "\n";
   os << indent << "Retries: " << run.Retries << "\n";
   os << indent << "MeshesOnly: " << run.MeshesOnly << "\n";
   for (const std::string& format : run.MeshFormats)

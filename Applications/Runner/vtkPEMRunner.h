@@ -112,6 +112,15 @@ public:
   int GetRetries() const;
   ///@}
 
+  ///@{
+  /**
+   * MiB of memory that all solvers at work may take together: one waits where it would take too
+   * much, whatever the number of workers. Default 0: any.
+   */
+  void SetSolverMemory(double mebibytes);
+  double GetSolverMemory() const;
+  ///@}
+
   /**
    * Runs the study. True only if every case was done without a failure; then, and when some cases
    * failed, the results are saved. GetMessages() says in sentences what went wrong.

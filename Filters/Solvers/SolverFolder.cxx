@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverFolder.h"
 
+#include "HalfWrittenFiles.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -39,6 +41,7 @@ SolverFolder::SolverFolder(const fs::path& workDirectory, const std::string& ste
     throw std::runtime_error(
       "Cannot make the folder \"" + this->Path.string() + "\": " + error.message() + ".");
   }
+  RemoveHalfWrittenFiles(this->Path); // of a run that was killed
 }
 
 SolverFolder::~SolverFolder()

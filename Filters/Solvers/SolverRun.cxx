@@ -6,6 +6,7 @@
 #include "ChildProcess.h"
 #include "ContentDigest.h"
 #include "ElementAccess.h"
+#include "MemoryBudget.h"
 #include "MeshFormats.h"
 #include "NumberText.h"
 #include "SolverCommand.h"
@@ -105,7 +106,7 @@ std::string EndSentence(std::string text)
 
 SolverOutcome Failure(const std::string& status, const std::string& message)
 {
-  return { status, EndSentence(message), {} };
+  return { status, EndSentence(message), "", {} };
 }
 
 /** What a run is called in messages. */
@@ -127,27 +128,28 @@ SolverOutcome JudgeForce(const SolverRun& run, const ChildProcessResult& result)
   {
     case Ending::Signal:
       return result.IsFileTooLarge
-        ? SolverOutcome{ "disk-limit", disk, {} }
-        : SolverOutcome{ "crashed", " was ended by the signal " + result.Reason, {} };
+        ? SolverOutcome{ "disk-limit", disk, "", {} }
+        : SolverOutcome{ "crashed", " was ended by the signal " + result.Reason, "", {} };
     case Ending::TimeLimit:
       return { "time-out",
         " did not end within the time limit of " + FormatNumber(description.TimeLimit) +
           " s and was stopped",
-        {} };
+        "", {} };
     case Ending::ProcessorLimit:
       return { "cpu-limit",
         " took more than the " + FormatNumber(description.ProcessorLimit) +
           " s of processor time that it may and was stopped",
-        {} };
+        "", {} };
     case Ending::MemoryLimit:
       return { "memory-limit",
         " took more than the " + FormatNumber(description.MemoryLimit) +
           " MiB of memory that it may and was stopped",
-        {} };
+        "", {} };
     case Ending::Cancelled: // not by the user, or nobody would judge
-      return { "disk-limit", disk, {} };
+      return { "disk-limit", disk, "", {} };
     default:
-      return { "exit-status", " ended with exit status " + std::to_string(result.ExitStatus), {} };
+      return { "exit-status", " ended with exit status " + std::to_string(result.ExitStatus), "",
+        {} };
   }
 }
 
@@ -159,7 +161,7 @@ SolverOutcome JudgeEnding(
   using Ending = ChildProcessResult::Ending;
   if (result.How == Ending::Exited && result.ExitStatus == 0)
   {
-    return { "ok", "", {} };
+    return { "ok", "", "", {} };
   }
   if (result.How == Ending::NotStarted)
   {
@@ -217,6 +219,27 @@ ChildProcessResult RunWatched(
   return RunChildProcess(child);
 }
 
+/** The same, once there is room for it in the memory. */
+ChildProcessResult RunWithinBudget(
+  const SolverRun& run, ChildProcess& child, const SolverFolder& folder, bool& isFolderTooLarge)
+{
+  if (!run.Budget)
+  {
+    return RunWatched(run, child, folder, isFolderTooLarge);
+  }
+  const std::string name = NameOf(run);
+  const double taken =
+    run.Budget->Take(name, child.MemoryLimit, [&] { return !run.GoOn || run.GoOn(0.0); });
+  ChildProcessResult result;
+  result.How = ChildProcessResult::Ending::Cancelled;
+  if (taken >= 0.0)
+  {
+    result = RunWatched(run, child, folder, isFolderTooLarge);
+    run.Budget->GiveBack(name, taken, result.PeakMemory);
+  }
+  return result;
+}
+
 /** What may explain that files are missing: others, and processes that were to write them. */
 std::string Explanation(const SolverFolder& folder,
   const std::vector<std::filesystem::path>& expected, const ChildProcessResult& result)
@@ -224,14 +247,14 @@ std::string Explanation(const SolverFolder& folder,
   std::error_code error;
   if (!std::filesystem::exists(folder.GetPath(), error))
   {
-    return " It has removed its own folder.";
+    return "It has removed its own folder.";
   }
   std::string text;
   constexpr std::size_t most = 3;
   const std::vector<std::string> strays = folder.FindNew(expected);
   for (std::size_t i = 0; i < std::min(most, strays.size()); ++i)
   {
-    text += (i == 0 ? " It has written \"" : ", \"") + strays[i] + '"';
+    text += (i == 0 ? "It has written \"" : ", \"") + strays[i] + '"';
   }
   if (!strays.empty())
   {
@@ -240,7 +263,8 @@ std::string Explanation(const SolverFolder& folder,
   }
   if (result.ProcessesLeft > 0)
   {
-    text += " Processes that it had left running were stopped.";
+    text +=
+      (text.empty() ? "" : " ") + std::string("Processes that it had left running were stopped.");
   }
   return text;
 }
@@ -250,13 +274,13 @@ SolverOutcome JudgeAnswer(const SolverRun& run, SolverAnswer answer, const std::
 {
   if (answer.Faults.empty())
   {
-    return { "ok", "", std::move(answer) };
+    return { "ok", "", explanation, std::move(answer) };
   }
   const bool isSomethingGood = answer.Solution || answer.GroundTruth ||
     std::any_of(answer.Performances.begin(), answer.Performances.end(),
       [](double value) { return std::isfinite(value); });
   const std::size_t others = answer.Faults.size() - 1;
-  std::string message = answer.Faults.front() + explanation;
+  std::string message = answer.Faults.front() + (explanation.empty() ? "" : " ") + explanation;
   if (others > 0)
   {
     message += " " + std::to_string(others) + " more of its files " + (others == 1 ? "is" : "are") +
@@ -265,7 +289,7 @@ SolverOutcome JudgeAnswer(const SolverRun& run, SolverAnswer answer, const std::
   message += isSomethingGood ? " The rest of its answer is kept." : "";
   const std::size_t files = run.Description.Performances.size();
   answer.Performances.resize(files, std::numeric_limits<double>::quiet_NaN());
-  return { isSomethingGood ? "partial" : "bad-output", message, std::move(answer) };
+  return { isSomethingGood ? "partial" : "bad-output", message, explanation, std::move(answer) };
 }
 
 constexpr const char* SolvedFile = "solved.txt";
@@ -329,7 +353,7 @@ SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverFolder& fol
   expected.insert(expected.end(), { child.OutputFile, child.ErrorFile });
   folder.NoteNames();
   bool isFolderTooLarge = false;
-  const ChildProcessResult result = RunWatched(run, child, folder, isFolderTooLarge);
+  const ChildProcessResult result = RunWithinBudget(run, child, folder, isFolderTooLarge);
   const SolverOutcome outcome = JudgeEnding(run, result, isFolderTooLarge);
   if (outcome.Status != "ok")
   {
@@ -360,7 +384,7 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
   const std::string question = QuestionOf(run, meshFile);
   if (run.ReusesAnswer && IsSolved(solved, question, answers))
   {
-    return { "ok", "",
+    return { "ok", "", "",
       ReadSolverAnswer(run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints(),
         mesh->GetNumberOfPolys()) };
   }

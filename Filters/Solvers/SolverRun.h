@@ -19,6 +19,8 @@ class vtkPolyData;
 namespace pemesh
 {
 
+class MemoryBudget;
+
 struct SolverRun
 {
   SolverDescription Description;
@@ -26,6 +28,7 @@ struct SolverRun
   std::filesystem::path WorkDirectory;        // empty: a temporary folder
   int Threads = 1;
   int Retries = 0;
+  MemoryBudget* Budget = nullptr;           // shared with others that run
   bool ReusesAnswer = false;                // of an earlier run that was asked the same
   std::string Version;                      // of the solver: part of the question
   std::function<bool(double seconds)> GoOn; // false cancels
@@ -35,6 +38,7 @@ struct SolverOutcome
 {
   std::string Status; // "ok" or what went wrong, in a word
   std::string Message;
+  std::string Hint;    // what was unusual of a run that has ended by itself: files, processes
   SolverAnswer Answer; // what is good of it; empty unless ok or partial
 };
 

@@ -105,6 +105,7 @@ void vtkPEMExternalSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Threads: " << this->Threads << "\n";
   os << indent << "Retries: " << this->Retries << "\n";
   os << indent << "ReuseAnswers: " << this->ReuseAnswers << "\n";
+  os << indent << "MemoryBudget: " << (this->Budget ? "shared" : "none") << "\n";
   os << indent << "Version: " << this->Version << "\n";
 }
 
@@ -312,6 +313,7 @@ int vtkPEMExternalSolver::RequestData(
   run.WorkDirectory = this->WorkDirectory;
   run.Threads = this->Threads;
   run.Retries = this->Retries;
+  run.Budget = this->Budget;
   run.ReusesAnswer = this->ReuseAnswers;
   run.Version = this->Version;
   try

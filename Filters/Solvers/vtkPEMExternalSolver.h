@@ -45,6 +45,7 @@
 
 namespace pemesh
 {
+class MemoryBudget;
 struct SolverDescription;
 struct SolverOutcome;
 }
@@ -65,6 +66,15 @@ public:
   void SetDescription(const pemesh::SolverDescription& description);
   const pemesh::SolverDescription& GetDescription() const;
   ///@}
+
+  /**
+   * What this and other solvers that run at the same time may take of the memory together; they
+   * wait for each other. It must outlive the filter. Default none.
+   */
+  void SetMemoryBudget(pemesh::MemoryBudget* budget)
+  {
+    this->Budget = budget;
+  }
 #endif
 
   ///@{
@@ -176,6 +186,7 @@ private:
   std::string Version;
   int Threads = 1;
   int Retries = 0;
+  pemesh::MemoryBudget* Budget = nullptr;
   bool ReuseAnswers = false;
 };
 

@@ -209,7 +209,10 @@ TEST_F(ResumeTest, NothingOfALongerStudyStays)
   ASSERT_EQ(this->Run({}).ExitCode, 0);
   WriteFile(this->Folder / "out" / "notes.txt", "mine");
   WriteFile(this->Folder / "out" / "meshes" / "mine.off", "mine");
-  WriteFile(this->Folder / "out" / "results.csv.part999999999-0", "of a process that was killed");
+  const std::string part = ".part999999999-0"; // of a process that was killed
+  WriteFile(this->Folder / "out" / ("results.csv" + part), "");
+  const fs::path solved = this->Folder / "out" / "solvers" / "solver" / "000_0.000000";
+  WriteFile(solved / ("000_0.000000.off" + part), "");
   this->WriteStudy(2);
   ASSERT_EQ(this->Run({}).ExitCode, 0);
   std::set<std::string> meshes;
@@ -222,7 +225,8 @@ TEST_F(ResumeTest, NothingOfALongerStudyStays)
       "000_0.000000.off", "000_0.000000.vtp", "001_0.400000.off", "001_0.400000.vtp", "mine.off"));
   EXPECT_FALSE(fs::exists(this->Folder / "out" / "solvers" / "solver" / "005_0.666667"));
   EXPECT_FALSE(fs::exists(this->Folder / "out" / "plots" / "old.svg"));
-  EXPECT_FALSE(fs::exists(this->Folder / "out" / "results.csv.part999999999-0"));
+  EXPECT_FALSE(fs::exists(this->Folder / "out" / ("results.csv" + part)));
+  EXPECT_FALSE(fs::exists(solved / ("000_0.000000.off" + part)));
   EXPECT_EQ(FileText(this->Folder / "out" / "notes.txt"), "mine");
 }
 
@@ -313,4 +317,21 @@ TEST_F(ResumeTest, TwoRunsDoNotShareAFolder)
   waitpid(process, nullptr, 0);
   EXPECT_EQ(second.ExitCode, 2);
   EXPECT_THAT(second.Errors, HasSubstr("Another run is writing into"));
+}
+
+TEST_F(ResumeTest, SolversWaitForMemory)
+{
+  this->WriteStudy(4);
+  // Fails where another one is at work.
+  WriteFile(this->Folder / "solver.sh",
+    "#!/bin/sh\n"
+    "mkdir '" +
+      (this->Folder / "lock").string() + "' || exit 9\nsleep 0.2\nrmdir '" +
+      (this->Folder / "lock").string() +
+      "'\n"
+      "sed -n '3,$p' \"$1\" | while read -r x y z w; do [ -n \"$w\" ] || echo \"$x\"; done"
+      " > \"$2-solution.txt\"\necho 1 > \"$2-bytes.txt\"\n");
+  const std::string limit = "solvers[0].memory-limit=100";
+  EXPECT_EQ(this->Run({ "--set", limit, "--memory", "150" }).ExitCode, 0);
+  EXPECT_EQ(this->Run({ "--set", limit, "--memory", "200" }).ExitCode, 1) << "two at a time";
 }
