@@ -13,17 +13,22 @@ All filters are classes of this package and work beside those of `vtkmodules`:
     print(mesher.GetOutput().GetNumberOfCells())
 """
 
+import importlib
+import pkgutil
+
 # Their Python types must be known before those of PEMesh, which derive from them.
 import vtkmodules.vtkCommonExecutionModel  # noqa: F401
 import vtkmodules.vtkIOXML  # noqa: F401
 import vtkmodules.vtkRenderingContext2D  # noqa: F401
 
-from .pemeshIOMesh import *  # noqa: F401,F403
-from .pemeshFiltersGeneration import *  # noqa: F401,F403
-from .pemeshFiltersMetrics import *  # noqa: F401,F403
-from .pemeshFiltersSolvers import *  # noqa: F401,F403
-from .pemeshFiltersVirtualElements import *  # noqa: F401,F403
-from .pemeshFiltersStatistics import *  # noqa: F401,F403
-from .pemeshCharts import *  # noqa: F401,F403
-from .pemeshRunner import *  # noqa: F401,F403
-from .pemeshReport import *  # noqa: F401,F403
+
+def _take_classes():
+    """All classes of all wrapped modules, whichever this build has."""
+    for found in pkgutil.iter_modules(__path__, __name__ + "."):
+        if found.name.startswith(__name__ + ".pemesh"):
+            module = importlib.import_module(found.name)
+            globals().update(
+                (name, value) for name, value in vars(module).items() if not name.startswith("_"))
+
+
+_take_classes()
