@@ -119,7 +119,8 @@ std::string DescribeRun(const StudySolver& run)
   std::string text = run.Solver;
   for (const auto& [key, value] : run.Options)
   {
-    text += ", " + key + " " + FormatScalar(value);
+    const std::string shown = FormatScalar(value);
+    text += shown.empty() ? "" : ", " + key + " " + shown; // a formula that was not given
   }
   return text + (run.Version.empty() ? "" : " (" + run.Version + ")");
 }

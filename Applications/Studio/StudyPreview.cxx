@@ -30,7 +30,10 @@ Study StudyOfMesh(const Study& study, bool measured)
   Study mesh = study;
   mesh.Solvers.clear();
   mesh.Plots.clear();
-  mesh.Metrics = measured ? study.Metrics : std::vector<std::string>();
+  if (!measured)
+  {
+    mesh.Metrics.Names.clear();
+  }
   return mesh;
 }
 

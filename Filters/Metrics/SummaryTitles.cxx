@@ -101,7 +101,9 @@ SummaryColumn TakeApart(std::string_view column)
 
 std::string LowerFirst(std::string text)
 {
-  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z')
+  constexpr std::string_view person = "Frobenius"; // keeps its capital
+  if (text.size() > 1 && text[0] >= 'A' && text[0] <= 'Z' && text[1] >= 'a' && text[1] <= 'z' &&
+    !text.starts_with(person))
   {
     text[0] = static_cast<char>(text[0] - 'A' + 'a');
   }

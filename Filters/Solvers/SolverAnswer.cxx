@@ -178,8 +178,8 @@ SolverAnswer ReadSolverAnswer(const SolverDescription& description,
   }
   for (const SolverPerformance& performance : description.Performances)
   {
-    const auto number = TakeNumbers(
-      AnswerFile(folder, stem, '-' + performance.Name + ".txt"), { 1, "mesh" }, answer.Faults);
+    const auto number = TakeNumbers(AnswerFile(folder, stem, '-' + performance.Name + ".txt"),
+      { 1, "mesh", performance.MayBeUndefined }, answer.Faults);
     answer.Performances.push_back(
       number ? number->GetValue(0) : std::numeric_limits<double>::quiet_NaN());
   }

@@ -6,8 +6,8 @@
  *
  * The contract: called on the mesh file M.off, the solver leaves in its output folder
  * M-solution.txt and, if it knows, M-ground-truth.txt (one finite number a vertex, in the order of
- * the vertices of the mesh), M-<performance>.txt with one number for each performance, "nan" where
- * it is undefined, and, if it likes, M-<array>.txt for each array of the elements, one number an
+ * the vertices of the mesh), M-<performance>.txt with one number for each performance, "nan"
+ * only if it may be undefined, and, if it likes, M-<array>.txt for each array of the elements, one number an
  * element, "nan" where undefined.
  * It ends with exit status 0.
  */
@@ -38,6 +38,7 @@ struct SolverPerformance
   std::string Label;
   std::string Scale = "linear"; // linear | log
   bool Measured = false;        // depends on the machine: seconds, bytes
+  bool MayBeUndefined = false;  // "nan" is an answer, and no fault
   bool operator==(const SolverPerformance&) const = default;
 };
 

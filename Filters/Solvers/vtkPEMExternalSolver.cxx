@@ -164,9 +164,11 @@ void vtkPEMExternalSolver::RemoveAllOptions()
   this->Modified();
 }
 
-void vtkPEMExternalSolver::AddPerformance(const std::string& name, bool measured)
+void vtkPEMExternalSolver::AddPerformance(
+  const std::string& name, bool measured, bool mayBeUndefined)
 {
-  this->Implementation->Description.Performances.push_back({ name, name, "linear", measured });
+  this->Implementation->Description.Performances.push_back(
+    { name, name, "linear", measured, mayBeUndefined });
   this->Modified();
 }
 

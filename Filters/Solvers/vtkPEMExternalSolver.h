@@ -87,8 +87,11 @@ public:
   /** Declares an option; `type` is string, integer or number. */
   void AddOption(const std::string& name, const std::string& type, const std::string& defaultValue);
   void RemoveAllOptions();
-  /** Declares a performance; `measured` where it depends on the machine. */
-  void AddPerformance(const std::string& name, bool measured = false);
+  /**
+   * Declares a performance; `measured` where it depends on the machine, `mayBeUndefined` where nan
+   * is no fault.
+   */
+  void AddPerformance(const std::string& name, bool measured = false, bool mayBeUndefined = false);
   void RemoveAllPerformances();
   /** Declares an array with one number an element, which the solver may write. */
   void AddElementArray(const std::string& name);

@@ -109,7 +109,9 @@ FieldTable<SolverPerformance> PerformanceFields()
     TextField("label", &SolverPerformance::Label, "What people read, with the unit."),
     ChoiceField("scale", &SolverPerformance::Scale, { "linear", "log" }, "How charts show it."),
     BooleanField("measured", &SolverPerformance::Measured,
-      "Whether it depends on the machine (seconds, bytes).") };
+      "Whether it depends on the machine (seconds, bytes)."),
+    BooleanField("may-be-undefined", &SolverPerformance::MayBeUndefined,
+      "Whether nan is an answer: otherwise it is a fault of the run.") };
   table.Finish = [](const DocumentPlace& place, SolverPerformance& performance)
   { CheckFileName(place.Member("name"), performance.Name); };
   return table;

@@ -100,7 +100,9 @@ long PaintedPixels(vtkPEMChart* chart)
   EXPECT_TRUE(chart->Paint(context));
   context->End();
   device->End();
-  const auto picture = ChartSupport::WriteAndRead(device->GetContents(), "Kinds.png");
+  const auto picture = ChartSupport::WriteAndRead(device->GetContents(),
+    // Tests side by side need a file each.
+    std::string(testing::UnitTest::GetInstance()->current_test_info()->name()) + ".png");
   long painted = 0;
   for (const auto& pixel : picture.Pixels)
   {

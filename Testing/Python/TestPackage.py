@@ -31,8 +31,8 @@ def main():
     mesher.SetInputConnection(layout.GetOutputPort())
     merge = pemesh.vtkPEMAgglomerate()
     merge.SetInputConnection(mesher.GetOutputPort())
-    assert merge.SetRuleByName("diameter")
-    assert not merge.SetRuleByName("no-such-rule")
+    merge.SetRuleByName("diameter")
+    assert merge.GetRuleName() == "diameter"
     solve = pemesh.vtkPEMVirtualElementSolver()
     solve.SetInputConnection(merge.GetOutputPort())
     solve.Update()

@@ -33,12 +33,14 @@ namespace
 {
 
 /** The name of every file of a folder, and its bytes. */
+/** Of all but what depends on the machine: times, and the order in which cases were done. */
 std::map<std::string, std::string> BytesOf(const fs::path& folder)
 {
   std::map<std::string, std::string> bytes;
   for (const auto& entry : fs::directory_iterator(folder))
   {
-    if (entry.is_regular_file() && entry.path().filename() != "timings.csv")
+    if (entry.is_regular_file() && entry.path().filename() != "timings.csv" &&
+      entry.path().filename() != "journal.tsv")
     {
       bytes[entry.path().filename()] = FileText(entry.path());
     }

@@ -209,8 +209,9 @@ TEST(Torture, TheStudyEndsAndNamesEveryFailure)
   EXPECT_EQ(after.erase("out"), 1U);
   EXPECT_EQ(after, before);
   EXPECT_EQ(NamesIn(folder / "out"),
-    (std::set<std::string>{ "correlation.csv", "failures.csv", "index.csv", "journal.tsv", "meshes",
-      "results.csv", "series.pvd", "solvers", "study.json", "timings.csv" }));
+    (std::set<std::string>{ "correlation.csv", "failures.csv", "findings.csv", "findings.txt",
+      "index.csv", "journal.tsv", "meshes", "results.csv", "series.pvd", "solvers", "study.json",
+      "timings.csv" }));
 
   const auto results = pemesh::ReadCsvFile(folder / "out" / "results.csv");
   const auto failures = pemesh::ReadCsvFile(folder / "out" / "failures.csv");

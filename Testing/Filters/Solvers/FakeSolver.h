@@ -36,7 +36,8 @@ inline SolverDescription FakeSolver(const std::string& mode)
   description.Folder = FakeSolverFolder;
   description.Options = { { "mode", "string", mode, "" }, { "order", "integer", "1", "" },
     { "tolerance", "number", "1e-10", "" } };
-  description.Performances = { { "condition-number", "Condition number", "log", false },
+  description.Performances = { { "condition-number", "Condition number", "log", false,
+                                 mode == "elements" },
     { "solve-seconds", "Seconds", "linear", true } };
   return description;
 }
