@@ -35,8 +35,8 @@ struct MeshStyle
   bool OutlinesAreAutomatic = true;
   bool MarkSmallest = false;
   bool MarkLargest = false;
-  std::vector<vtkIdType> Marked; // framed, beneath the smallest and the largest
-  std::string MarkNote;          // a sentence about them
+  std::vector<vtkIdType> Marked;      // framed, beneath the smallest and the largest
+  std::string MarkNote;               // a sentence about them
   std::vector<vtkIdType> Highlighted; // elements
 };
 
