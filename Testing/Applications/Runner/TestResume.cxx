@@ -136,7 +136,8 @@ TEST_F(ResumeTest, NothingIsDoneTwice)
   EXPECT_THAT(again.Output, HasSubstr("4 meshes (4 as they were), 0 failures"));
   EXPECT_EQ(this->NewCalls(), 0);
   EXPECT_EQ(FileText(this->Folder / "out" / "results.csv"), results);
-  ASSERT_EQ(this->Run({}).ExitCode, 0); // without --resume all is done anew
+  const auto anew = this->Run({}); // without --resume all is done anew
+  ASSERT_EQ(anew.ExitCode, 0) << anew.Errors;
   EXPECT_EQ(this->NewCalls(), 4);
 }
 
