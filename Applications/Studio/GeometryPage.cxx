@@ -22,6 +22,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
@@ -288,8 +289,10 @@ void GeometryPage::ShowResults()
   const bool isEmpty = this->Results->IsEmpty();
   this->Preview->SetMeasured(isEmpty && this->isVisible());
   this->Cases->SetCount(this->Results->GetNumberOfCases());
+  const QString folder = this->Results->GetFolder();
   this->Source->setText(
-    isEmpty ? tr("Preview of the study") : tr("Results in %1").arg(this->Results->GetFolder()));
+    isEmpty ? tr("Preview of the study") : tr("Results in %1").arg(QDir(folder).dirName()));
+  this->Source->setToolTip(isEmpty ? QString() : folder);
   this->ChartStack->setCurrentIndex(isEmpty ? 0 : 1);
   if (!isEmpty)
   {

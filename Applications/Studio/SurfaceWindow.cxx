@@ -91,8 +91,9 @@ SurfaceWindow::SurfaceWindow(QWidget* parent)
     const ChartColor color = MapColor(*FindColorMap("viridis"), i / (ColorCount - 1.0));
     this->Colors->SetTableValue(i, color[0] / 255.0, color[1] / 255.0, color[2] / 255.0);
   }
-  this->MakeSide(0.0, 0.5, "Solution");
-  this->MakeSide(0.5, 1.0, "Ground truth");
+  this->MakeSide(0.0, 0.44, "Solution");
+  this->MakeSide(0.44, 0.88, "Ground truth");
+  this->MakeLegend(0.88, 1.0);
   vtkNew<vtkInteractorStyleTrackballCamera> style;
   this->View->GetInteractor()->SetInteractorStyle(style);
   vtkNew<vtkCallbackCommand> moved;
@@ -125,20 +126,27 @@ void SurfaceWindow::MakeSide(double left, double right, const char* title)
   text->SetPosition(16, 16);
   SetText(text->GetTextProperty(), 16);
   side.Renderer->AddViewProp(text);
-  if (right == 1.0)
-  {
-    vtkNew<vtkScalarBarActor> bar;
-    bar->SetLookupTable(this->Colors);
-    bar->SetNumberOfLabels(5);
-    bar->UnconstrainedFontSizeOn();
-    bar->SetPosition(0.83, 0.2);
-    bar->SetPosition2(0.13, 0.6);
-    bar->SetLabelFormat("%-.2g");
-    SetText(bar->GetLabelTextProperty(), 12);
-    side.Renderer->AddViewProp(bar);
-  }
   this->View->GetRenderWindow()->AddRenderer(side.Renderer);
   this->Sides.push_back(side);
+}
+
+/** The scale that both sides share, beside them so that it hides nothing. */
+void SurfaceWindow::MakeLegend(double left, double right)
+{
+  vtkNew<vtkRenderer> renderer;
+  renderer->SetViewport(left, 0.0, right, 1.0);
+  renderer->InteractiveOff();
+  SetColor(renderer, CurrentTheme().Canvas);
+  vtkNew<vtkScalarBarActor> bar;
+  bar->SetLookupTable(this->Colors);
+  bar->SetNumberOfLabels(5);
+  bar->UnconstrainedFontSizeOn();
+  bar->SetPosition(0.1, 0.2);
+  bar->SetPosition2(0.8, 0.6);
+  bar->SetLabelFormat("%-.2g");
+  SetText(bar->GetLabelTextProperty(), 12);
+  renderer->AddViewProp(bar);
+  this->View->GetRenderWindow()->AddRenderer(renderer);
 }
 
 void SurfaceWindow::SetMesh(const MeshPicturePointer& picture, const QString& run)

@@ -58,6 +58,7 @@ private:
   };
 
   void MakeSide(double left, double right, const char* title);
+  void MakeLegend(double left, double right);
   void Show(const SurfaceMesh& solution, const SurfaceMesh& truth);
   void UploadNext();
   void AddBlock(Side& side);
