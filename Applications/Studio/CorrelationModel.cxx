@@ -3,6 +3,7 @@
 #include "CorrelationModel.h"
 
 #include "ColorMaps.h"
+#include "ColumnRoles.h"
 #include "Findings.h"
 
 #include <QBrush>

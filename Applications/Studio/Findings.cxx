@@ -3,6 +3,7 @@
 #include "Findings.h"
 
 #include "ColumnLabels.h"
+#include "ColumnRoles.h"
 
 #include <algorithm>
 #include <array>
@@ -31,11 +32,6 @@ std::string SentenceOf(const std::string& x, const std::string& y, double rho, i
 }
 
 } // namespace
-
-bool IsMetricColumn(const std::string& name)
-{
-  return name.ends_with("_min") || name.ends_with("_max") || name.ends_with("_mean");
-}
 
 std::vector<Finding> RankFindings(vtkTable* correlation, const ColumnLabels& labels)
 {

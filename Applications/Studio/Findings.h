@@ -16,9 +16,6 @@ namespace pemesh
 
 class ColumnLabels;
 
-/** Whether a column of results is the smallest, largest or mean value of a metric. */
-bool IsMetricColumn(const std::string& name);
-
 struct Finding
 {
   std::string X;
