@@ -52,7 +52,9 @@ std::vector<pid_t> Descendants()
 ProcessUsage UsageOf(pid_t process)
 {
   std::ifstream stream("/proc/" + std::to_string(process) + "/stat");
-  std::string text{ std::istreambuf_iterator<char>(stream), {} };
+  // Empty where the process ends meanwhile: reading by iterators would throw then.
+  std::string text;
+  std::getline(stream, text, '\0');
   // The name of the program stands in parentheses and may hold anything, even parentheses.
   std::istringstream fields(text.substr(std::min(text.size(), text.rfind(')') + 1)));
   std::string state;
