@@ -22,8 +22,9 @@ struct LatestJob::Shared
   std::mutex Mutex;
   std::condition_variable Changed;
   Work Next;
+  long NextNumber = 0;
   bool Quit = false;
-  bool Running = false;
+  long Running = 0; // the number of the job in the worker, 0 if there is none
   Clock::time_point Since;
   std::atomic<bool> Stop{ false };
   std::thread Thread;
@@ -56,49 +57,47 @@ void LatestJob::Start(Work work)
   {
     const std::scoped_lock lock(worker.Mutex);
     worker.Next = std::move(work);
+    worker.NextNumber = this->Awaited = ++this->Started;
   }
   worker.Changed.notify_one();
   if (!worker.Thread.joinable())
   {
-    worker.Thread = std::thread(
-      [this, &worker]
-      {
-        std::unique_lock lock(worker.Mutex);
-        while (true)
-        {
-          worker.Changed.wait(lock, [&worker] { return worker.Quit || worker.Next; });
-          if (worker.Quit)
-          {
-            return;
-          }
-          const Work job = std::exchange(worker.Next, {});
-          worker.Running = true;
-          worker.Since = Clock::now();
-          worker.Stop = false;
-          lock.unlock();
-          Delivery delivery = job(worker.Stop);
-          lock.lock();
-          worker.Running = false;
-          const bool isLast = !worker.Next;
-          delivery = worker.Stop ? Delivery() : std::move(delivery);
-          QMetaObject::invokeMethod(
-            this, [this, delivery, isLast] { this->Deliver(delivery, isLast); },
-            Qt::QueuedConnection);
-        }
-      });
+    worker.Thread = std::thread([this] { this->RunJobs(); });
   }
-  if (!std::exchange(this->Busy, true))
-  {
-    emit this->BusyChanged(true);
-  }
+  this->SetBusy(true);
   this->StopIfStale();
+}
+
+void LatestJob::RunJobs()
+{
+  Shared& worker = *this->Worker;
+  std::unique_lock lock(worker.Mutex);
+  while (true)
+  {
+    worker.Changed.wait(lock, [&worker] { return worker.Quit || worker.Next; });
+    if (worker.Quit)
+    {
+      return;
+    }
+    const Work job = std::exchange(worker.Next, {});
+    const long number = worker.Running = worker.NextNumber;
+    worker.Since = Clock::now();
+    worker.Stop = false;
+    lock.unlock();
+    Delivery delivery = job(worker.Stop);
+    lock.lock();
+    worker.Running = 0;
+    delivery = worker.Stop ? Delivery() : std::move(delivery);
+    QMetaObject::invokeMethod(
+      this, [this, delivery, number] { this->Deliver(delivery, number); }, Qt::QueuedConnection);
+  }
 }
 
 void LatestJob::StopIfStale()
 {
   Shared& worker = *this->Worker;
   const std::scoped_lock lock(worker.Mutex);
-  if (!worker.Running || !worker.Next)
+  if (worker.Running == 0 || !worker.Next)
   {
     return;
   }
@@ -115,28 +114,36 @@ void LatestJob::StopIfStale()
 
 void LatestJob::Cancel()
 {
-  bool isIdle = false;
+  this->Cancelled = this->Started;
   {
     const std::scoped_lock lock(this->Worker->Mutex);
     this->Worker->Next = {};
     this->Worker->Stop = true;
-    isIdle = !this->Worker->Running; // then nothing will be delivered any more
+    this->Awaited = this->Worker->Running;
   }
-  if (isIdle && std::exchange(this->Busy, false))
+  if (this->Awaited == 0)
   {
-    emit this->BusyChanged(false);
+    this->SetBusy(false);
   }
 }
 
-void LatestJob::Deliver(const Delivery& delivery, bool isLast)
+void LatestJob::Deliver(const Delivery& delivery, long number)
 {
-  if (delivery)
+  if (delivery && number > this->Cancelled)
   {
-    delivery();
+    delivery(); // may ask for more
   }
-  if (isLast && std::exchange(this->Busy, false))
+  if (number == this->Awaited)
   {
-    emit this->BusyChanged(false);
+    this->SetBusy(false);
+  }
+}
+
+void LatestJob::SetBusy(bool busy)
+{
+  if (std::exchange(this->Busy, busy) != busy)
+  {
+    emit this->BusyChanged(busy);
   }
 }
 

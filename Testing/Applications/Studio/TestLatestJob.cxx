@@ -29,29 +29,40 @@ LatestJob::Delivery Work(int milliseconds, const std::atomic<bool>& stop, Latest
   return done;
 }
 
+/** Holds the thread until it is so. */
+void WaitUntil(const std::atomic<bool>& itIsSo)
+{
+  while (!itIsSo)
+  {
+    QThread::msleep(1);
+  }
+}
+
 } // namespace
 
 TEST(LatestJob, DeliversInItsOwnThreadAndDropsWhatWasOvertaken)
 {
-  LatestJob job(nullptr, 10000);
+  LatestJob job(nullptr, 1000000);
   std::vector<int> delivered;
+  std::atomic<bool> allAreAsked{ false };
   for (int i = 0; i < 20; ++i)
   {
     job.Start(
-      [i, &delivered](const std::atomic<bool>& stop)
+      [i, &delivered, &allAreAsked](const std::atomic<bool>&) -> LatestJob::Delivery
       {
-        return Work(40, stop,
-          [i, &delivered, thread = QThread::currentThread()]
-          {
-            EXPECT_NE(thread, QThread::currentThread());
-            delivered.push_back(i);
-          });
+        WaitUntil(allAreAsked);
+        return [i, &delivered, thread = QThread::currentThread()]
+        {
+          EXPECT_NE(thread, QThread::currentThread());
+          delivered.push_back(i);
+        };
       });
   }
+  allAreAsked = true;
   ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }));
   ASSERT_FALSE(delivered.empty());
   EXPECT_EQ(delivered.back(), 19);
-  EXPECT_LE(delivered.size(), 3U) << "jobs that were overtaken were done all the same";
+  EXPECT_LE(delivered.size(), 2U) << "jobs that were overtaken were done all the same";
 }
 
 TEST(LatestJob, StopsAStaleJobAfterItsPatience)
@@ -88,20 +99,80 @@ TEST(LatestJob, EndsWithItsObjectInTheMiddleOfWork)
   EXPECT_TRUE(ended);
 }
 
-TEST(LatestJob, CancellingLeavesItIdle)
+TEST(LatestJob, CancellingInTheMiddleOfWorkLeavesItIdle)
 {
   LatestJob job;
-  for (int i = 0; i < 20; ++i)
+  bool delivered = false;
+  std::atomic<bool> began{ false };
+  job.Start(
+    [&](const std::atomic<bool>& stop)
+    {
+      began = true;
+      return Work(60000, stop, [&delivered] { delivered = true; });
+    });
+  WaitUntil(began);
+  job.Cancel();
+  EXPECT_TRUE(job.IsBusy()) << "the worker still stops";
+  EXPECT_TRUE(WaitFor([&job] { return !job.IsBusy(); }));
+  EXPECT_FALSE(delivered);
+}
+
+TEST(LatestJob, WhatWasDoneButNotDeliveredIsDroppedByCancelling)
+{
+  LatestJob job;
+  for (int i = 0; i < 200; ++i)
   {
     bool delivered = false;
-    job.Start([&delivered](const std::atomic<bool>& stop)
-      { return Work(5, stop, [&delivered] { delivered = true; }); });
-    WaitFor([] { return false; }, i % 3);
+    std::atomic<bool> done{ false };
+    job.Start(
+      [&](const std::atomic<bool>&) -> LatestJob::Delivery
+      {
+        done = true;
+        return [&delivered] { delivered = true; };
+      });
+    WaitUntil(done); // no event is handled meanwhile: the delivery waits
     job.Cancel();
-    ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }, 2000));
-    if (i % 3 == 0)
+    ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }));
+    WaitFor([] { return false; }, 1);
+    ASSERT_FALSE(delivered);
+  }
+}
+
+TEST(LatestJob, StaysBusyWhileADeliveryAsksForMore)
+{
+  LatestJob job;
+  std::vector<bool> busy;
+  QObject::connect(
+    &job, &LatestJob::BusyChanged, &job, [&busy](bool isBusy) { busy.push_back(isBusy); });
+  bool second = false;
+  job.Start(
+    [&](const std::atomic<bool>&) -> LatestJob::Delivery
     {
-      EXPECT_FALSE(delivered);
-    }
+      return [&]
+      {
+        job.Start([&](const std::atomic<bool>&) -> LatestJob::Delivery
+          { return [&second] { second = true; }; });
+      };
+    });
+  ASSERT_TRUE(WaitFor([&second] { return second; }));
+  ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }));
+  EXPECT_EQ(busy, (std::vector<bool>{ true, false }));
+}
+
+TEST(LatestJob, WhatIsAskedForAfterCancellingIsDelivered)
+{
+  LatestJob job;
+  for (int i = 0; i < 50; ++i)
+  {
+    bool old = false;
+    bool latest = false;
+    job.Start(
+      [&old](const std::atomic<bool>& stop) { return Work(60000, stop, [&old] { old = true; }); });
+    job.Cancel();
+    job.Start([&latest](const std::atomic<bool>&) -> LatestJob::Delivery
+      { return [&latest] { latest = true; }; });
+    ASSERT_TRUE(WaitFor([&job] { return !job.IsBusy(); }));
+    EXPECT_TRUE(latest);
+    EXPECT_FALSE(old);
   }
 }
