@@ -19,7 +19,7 @@ namespace studio_test
 {
 
 /** Lets the event loop turn until it is so, or some seconds have passed. */
-bool WaitFor(const std::function<bool()>& condition, int milliseconds = 20000);
+bool WaitFor(const std::function<bool()>& condition, int milliseconds = 60000);
 
 /** Saves a picture of a widget; kept as documentation where PEMESH_STUDIO_PICTURES names a folder.
  */

@@ -78,7 +78,7 @@ TEST(LatestJob, StopsAStaleJobAfterItsPatience)
   job.Start([&second](const std::atomic<bool>&) -> LatestJob::Delivery
     { return [&second] { second = true; }; });
   ASSERT_TRUE(WaitFor([&second] { return second; }));
-  EXPECT_LT(clock.elapsed(), 5000);
+  EXPECT_LT(clock.elapsed(), 40000);
   EXPECT_FALSE(first) << "what was stopped is no result";
 }
 
