@@ -211,7 +211,7 @@ TEST(ChildProcess, IsCancelledWhileItSleeps)
   };
   const StopWatch watch;
   EXPECT_EQ(RunChildProcess(child).How, Ending::Cancelled);
-  EXPECT_EQ(calls, 4); // not asked again
+  EXPECT_EQ(calls, 4);                     // not asked again
   EXPECT_LT(watch.Seconds(), last + 20.0); // the sleeper sleeps for 60
 }
 
