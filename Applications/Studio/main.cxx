@@ -9,14 +9,26 @@
 #include <QSettings>
 #include <QTimer>
 
-int main(int argc, char* argv[])
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstring>
+
+namespace
 {
-  QApplication application(argc, argv);
-  QApplication::setOrganizationName(QStringLiteral("PEMesh"));
-  QApplication::setApplicationName(QStringLiteral("pemesh-studio"));
-  QApplication::setApplicationDisplayName(QStringLiteral("PEMesh Studio"));
-  QApplication::setApplicationVersion(QStringLiteral(PEMESH_VERSION));
-  QCommandLineParser parser;
+
+/** Where there is none, Qt would end the program by abort(). */
+bool HasDisplay(int argc, char* argv[])
+{
+  const bool isChosen = std::any_of(argv, argv + argc,
+    [](const char* argument) { return std::strcmp(argument, "-platform") == 0; });
+  return isChosen ||
+    std::ranges::any_of(std::array{ "DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM" },
+      [](const char* name) { return !qEnvironmentVariableIsEmpty(name); });
+}
+
+void Describe(QCommandLineParser& parser)
+{
   parser.setApplicationDescription(QApplication::translate("main",
     "Makes families of polygonal meshes, measures them, solves on them, and shows what "
     "geometry does to the solution."));
@@ -25,6 +37,30 @@ int main(int argc, char* argv[])
   parser.addPositionalArgument(QStringLiteral("files"),
     QApplication::translate("main", "A study (.json), or one or more meshes."),
     QStringLiteral("[STUDY.json | MESH…]"));
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  QApplication::setOrganizationName(QStringLiteral("PEMesh"));
+  QApplication::setApplicationName(QStringLiteral("pemesh-studio"));
+  QApplication::setApplicationVersion(QStringLiteral(PEMESH_VERSION));
+  QCommandLineParser parser;
+  Describe(parser);
+  if (!HasDisplay(argc, argv))
+  {
+    const QCoreApplication application(argc, argv);
+    parser.process(application); // --help and --version need no window
+    std::fputs("pemesh-studio: there is no display to show a window on (DISPLAY and "
+               "WAYLAND_DISPLAY are not set): start it on a desktop, or use pemesh, which needs "
+               "none.\n",
+      stderr);
+    return 2;
+  }
+  QApplication application(argc, argv);
+  QApplication::setApplicationDisplayName(QStringLiteral("PEMesh Studio"));
+  QApplication::setDesktopFileName(QStringLiteral("pemesh-studio"));
   parser.process(application);
   pemesh::ApplyTheme(application,
     static_cast<pemesh::ThemeChoice>(QSettings().value(QStringLiteral("theme")).toInt()));

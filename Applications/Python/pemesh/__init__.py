@@ -2,33 +2,37 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """PEMesh: how the geometry of polygonal meshes affects polytopal element methods.
 
-All filters are classes of this package and work beside those of `vtkmodules`:
+A study in three lines:
 
     import pemesh
+    results = pemesh.run("quickstart.json")
+    print(results.findings)
+
+Each of its steps alone: mesh() and read() make a mesh, metrics() and summary() measure it, solve()
+and solve_all() solve on it, correlate() and findings() say what drives what. Tables are mappings
+from names to NumPy arrays. Whatever goes wrong raises Error with a sentence.
+
+All filters are classes of this package too, and work beside those of `vtkmodules`:
+
     layout = pemesh.vtkPEMPolygonLayout()
     layout.AddPolygon("star", 0.5, 0.5)
     mesher = pemesh.vtkPEMDomainMesher()
     mesher.SetInputConnection(layout.GetOutputPort())
-    mesher.Update()
-    print(mesher.GetOutput().GetNumberOfCells())
+    print(pemesh.update(mesher, time=0.5).GetNumberOfCells())
 """
 
-import importlib
-import pkgutil
+from . import _classes
+from ._classes import *  # noqa: F401,F403
+from ._meshes import (cell_data, connectivity, elements, mesh, point_data, points, read,
+                      write)
+from ._pipeline import Error, update
+from ._studies import (Results, Solution, correlate, findings, metrics, run, solve, solve_all,
+                       summary)
+from ._tables import Table
 
-# Their Python types must be known before those of PEMesh, which derive from them.
-import vtkmodules.vtkCommonExecutionModel  # noqa: F401
-import vtkmodules.vtkIOXML  # noqa: F401
-import vtkmodules.vtkRenderingContext2D  # noqa: F401
-
-
-def _take_classes():
-    """All classes of all wrapped modules, whichever this build has."""
-    for found in pkgutil.iter_modules(__path__, __name__ + "."):
-        if found.name.startswith(__name__ + ".pemesh"):
-            module = importlib.import_module(found.name)
-            globals().update(
-                (name, value) for name, value in vars(module).items() if not name.startswith("_"))
-
-
-_take_classes()
+__all__ = [
+    "Error", "Results", "Solution", "Table", "cell_data", "connectivity", "correlate", "elements",
+    "findings", "mesh", "metrics", "point_data", "points", "read", "run", "solve", "solve_all",
+    "summary", "update", "write",
+    *_classes.__all__,
+]
