@@ -1,0 +1,43 @@
+#!/bin/sh
+# SPDX-License-Identifier: GPL-3.0-or-later
+#
+# Opens results of a study in Debian's ParaView, which cannot be installed beside python3-vtk9: in a
+# bare Debian 12 of its own.
+#
+#   check-paraview.sh RESULTS PICTURE.png [FOLDER]      # as root, with a network
+#
+# The root is made by debootstrap in FOLDER (default: a temporary one, removed at the end; one that
+# is given is kept and used again). Not one of ctest's tests, since it needs root and the network.
+set -eu
+
+results=$(realpath "$1")
+picture=$(realpath "$2")
+root=${3:-}
+here=$(realpath "$(dirname "$0")")
+mirror=${PEMESH_DEBIAN_MIRROR:-http://deb.debian.org/debian}
+say() { printf '==> %s\n' "$*"; }
+inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
+keep=yes
+[ -n "$root" ] || { root=$(mktemp -d); keep=no; }
+clean_up() {
+  umount "$root/proc" 2>/dev/null || true
+  [ "$keep" = yes ] || rm -rf --one-file-system "$root"
+}
+trap clean_up EXIT
+
+if [ ! -x "$root/usr/bin/pvbatch" ]; then
+  say "Making a bare Debian 12 with ParaView."
+  debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
+  inside apt-get update -qq
+  inside sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
+    paraview python3-paraview xvfb xauth libgl1-mesa-dri' >/dev/null
+fi
+mount -t proc proc "$root/proc"
+
+say "Opening $results."
+rm -rf "$root/root/results"
+cp -r "$results" "$root/root/results"
+cp "$here/check_series.py" "$root/root"
+inside sh -c 'cd /root && xvfb-run -a pvbatch --force-offscreen-rendering check_series.py results picture.png'
+cp "$root/root/picture.png" "$picture"
+say "All is well; the picture is $picture."
