@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CairoCanvas.h"
 
-#include "XmlText.h"
-
 #include "NumberText.h"
+#include "SvgText.h"
+#include "XmlText.h"
 
 #include <cairo-pdf.h>
 #include <cairo-svg.h>
@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
@@ -83,36 +82,6 @@ std::string Rounded(double value)
   return FormatNumber(rounded == 0.0 ? 0.0 : rounded);
 }
 
-/** Cairo numbers its ids through the life of the process: number them through the file instead. */
-std::string RenumberIds(std::string_view text)
-{
-  constexpr std::string_view openings[] = { " id=\"", "href=\"#", "url(#" };
-  std::map<std::string, std::string, std::less<>> names;
-  std::string result;
-  std::size_t position = 0;
-  while (position < text.size())
-  {
-    std::size_t start = std::string_view::npos;
-    for (const std::string_view opening : openings)
-    {
-      const std::size_t found = text.find(opening, position);
-      start = std::min(start, found == std::string_view::npos ? found : found + opening.size());
-    }
-    if (start == std::string_view::npos)
-    {
-      break;
-    }
-    const std::size_t end = std::min(text.find_first_of("\")", start), text.size());
-    const std::string name(text.substr(start, end - start));
-    const auto known = names.emplace(name, "i" + std::to_string(names.size())).first;
-    result += text.substr(position, start - position);
-    result += known->second;
-    position = end;
-  }
-  result += text.substr(position);
-  return result;
-}
-
 std::uint32_t Crc32(std::string_view bytes)
 {
   std::uint32_t crc = 0xFFFFFFFFu;
@@ -168,10 +137,10 @@ CairoCanvas::CairoCanvas(Format format, double width, double height, double dpi,
 {
   double scaleX = 1.0 / unitsPerPoint;
   double scaleY = scaleX;
-  if (format == Format::Png)
+  if (format == Format::Png || format == Format::Pixels)
   {
-    const int columns = std::max(1, static_cast<int>(std::lround(width * dpi / 72.0)));
-    const int rows = std::max(1, static_cast<int>(std::lround(height * dpi / 72.0)));
+    const int columns = NumberOfPixels(width, dpi);
+    const int rows = NumberOfPixels(height, dpi);
     this->Surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, columns, rows);
     scaleX *= columns / width;
     scaleY *= rows / height;
@@ -204,6 +173,11 @@ CairoCanvas::CairoCanvas(Format format, double width, double height, double dpi,
   cairo_font_options_t* options = MakeFontOptions();
   cairo_set_font_options(this->Cairo, options);
   cairo_font_options_destroy(options);
+}
+
+int CairoCanvas::NumberOfPixels(double length, double dpi)
+{
+  return std::max(1, static_cast<int>(std::lround(length * dpi / 72.0)));
 }
 
 CairoCanvas::~CairoCanvas()
@@ -296,6 +270,14 @@ std::string CairoCanvas::Finish()
     cairo_surface_write_to_png_stream(this->Surface, Append, &this->Stream);
     AddResolution(this->Stream, this->Dpi);
   }
+  else if (this->Kind == Format::Pixels)
+  {
+    const auto* data = reinterpret_cast<const char*>(cairo_image_surface_get_data(this->Surface));
+    // Rows of pixels of four bytes need no padding.
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(this->Surface));
+    const auto rows = static_cast<std::size_t>(cairo_image_surface_get_height(this->Surface));
+    this->Stream.assign(data, data ? stride * rows : 0);
+  }
   cairo_surface_finish(this->Surface);
   const cairo_status_t drawn = cairo_status(this->Cairo);
   const cairo_status_t status =
@@ -309,6 +291,7 @@ std::string CairoCanvas::Finish()
   }
   if (this->Kind == Format::Svg)
   {
+    this->Stream = CompactSvg(this->Stream);
     const std::size_t head = this->Stream.find("<g ");
     const std::size_t end = this->Stream.rfind("</svg>");
     if (head != std::string::npos && end != std::string::npos)

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * A page of Cairo in memory (PNG, SVG or PDF), and the text on it. Private to this module.
+ * A page of Cairo in memory (PNG, SVG, PDF or plain pixels), and the text on it. Private to this
+ * module.
  */
 #ifndef pemesh_CairoCanvas_h
 #define pemesh_CairoCanvas_h
@@ -40,7 +41,8 @@ public:
   {
     Png,
     Svg,
-    Pdf
+    Pdf,
+    Pixels
   };
 
   /** Sizes in points; throws std::runtime_error where Cairo has no memory for it. */
@@ -55,8 +57,11 @@ public:
 
   void DrawText(double x, double y, const std::string& text, const CanvasTextStyle& style);
 
-  /** Ends the page and returns the file. */
+  /** Ends the page and returns the file, or its pixels row by row. */
   std::string Finish();
+
+  /** That a length in points has. */
+  static int NumberOfPixels(double length, double dpi);
 
   /** Does not need a page, and does not depend on it. */
   static CanvasTextBox MeasureText(const std::string& text, const CanvasTextStyle& style);

@@ -133,9 +133,27 @@ void AddMarkerPath(cairo_t* cairo, int shape, double x, double y, double size)
       break;
     }
     default:
-      cairo_arc(cairo, x, y, half, 0.0, 2.0 * std::numbers::pi);
-      cairo_close_path(cairo);
+      // A line of no length with round ends: in a file a sixth of what an outline takes.
+      cairo_move_to(cairo, x, y);
+      cairo_line_to(cairo, x, y);
   }
+}
+
+void DrawMarkerPath(cairo_t* cairo, int shape, double size)
+{
+  const bool isOutline = shape == VTK_MARKER_SQUARE || shape == VTK_MARKER_DIAMOND ||
+    shape == VTK_MARKER_PLUS || shape == VTK_MARKER_CROSS;
+  if (isOutline)
+  {
+    cairo_fill(cairo);
+    return;
+  }
+  const cairo_line_cap_t before = cairo_get_line_cap(cairo);
+  cairo_set_line_cap(cairo, CAIRO_LINE_CAP_ROUND);
+  cairo_set_line_width(cairo, size);
+  cairo_set_dash(cairo, nullptr, 0, 0.0);
+  cairo_stroke(cairo);
+  cairo_set_line_cap(cairo, before);
 }
 
 } // namespace pemesh

@@ -26,8 +26,11 @@ void SetSource(cairo_t* cairo, const unsigned char* color);
 /** Lengths of dashes and gaps for a line type of vtkPen; empty for a solid line. */
 std::vector<double> DashPattern(int lineType, double width);
 
-/** Adds the outline of a marker of VTK, to be filled. All shapes look equally large. */
+/** Adds a marker of VTK to the path for DrawMarkerPath. All shapes look equally large. */
 void AddMarkerPath(cairo_t* cairo, int shape, double x, double y, double size);
+
+/** Draws the path of markers of one shape and size with the source, and clears it. */
+void DrawMarkerPath(cairo_t* cairo, int shape, double size);
 
 /** Premultiplied and top row first, as Cairo wants it; null for other scalars than bytes. */
 cairo_surface_t* MakeImageSurface(vtkImageData* image);

@@ -240,6 +240,16 @@ std::string DescribePicture(const ChartPicture& picture)
       sentences.insert(sentences.end(), plot.Remarks.begin(), plot.Remarks.end());
     }
   }
+  const auto mixed = std::find_if(picture.Plots.begin(), picture.Plots.end(),
+    [](const ChartPlot& plot) { return plot.IsDensity && !CountsPoints(plot); });
+  if (mixed != picture.Plots.end())
+  {
+    const bool byValue = std::any_of(mixed->AllSeries.begin(), mixed->AllSeries.end(),
+      [](const ChartSeries& series) { return !series.Values.empty(); });
+    sentences.push_back(std::string("Too many points to draw each: a cell has the ") +
+      (byValue ? "mean colour" : "mixed colours") +
+      " of those in it, and is paler where they are few.");
+  }
   for (const std::string& sentence : sentences)
   {
     text += (text.empty() ? "" : " ") + sentence;

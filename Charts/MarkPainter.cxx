@@ -396,12 +396,18 @@ void MarkPainter::Draw()
   {
     this->DrawBand(series);
   }
-  const bool counted = CountsPoints(this->Plot);
+  if (this->Plot.IsDensity && !CountsPoints(this->Plot))
+  {
+    this->DrawMixedDensity();
+  }
   for (const ChartSeries& series : this->Plot.AllSeries)
   {
     if (this->Plot.IsDensity && series.OfRows)
     {
-      counted ? this->DrawDensity(series) : this->DrawDots(series);
+      if (CountsPoints(this->Plot))
+      {
+        this->DrawDensity(series);
+      }
       continue;
     }
     if (series.Joined)

@@ -4,8 +4,8 @@
  * Draws the marks of a plot into its axes. Private to this module.
  *
  * What cannot be told apart is not drawn twice: a line keeps the first, last, lowest and highest
- * point of every column of dots, and clouds of many points become an image of dots that are
- * counted. Picking does not depend on that.
+ * point of every column of dots, and clouds of many points become an image of cells that tells how
+ * many are where. Picking does not depend on that.
  */
 #ifndef pemesh_MarkPainter_h
 #define pemesh_MarkPainter_h
@@ -58,7 +58,8 @@ private:
   void DrawRun(std::vector<float>& run, double width, const ChartColor& color, int lineType);
   void DrawMarkers(const ChartSeries& series);
   void DrawDensity(const ChartSeries& series);
-  void DrawDots(const ChartSeries& series);
+  /** Of several clouds, or of one coloured by numbers: mixed colours, mean values. */
+  void DrawMixedDensity();
   void DrawHighlights(const ChartSeries& series);
   void DrawText(const ChartText& text);
   void DrawImage(const std::vector<ChartColor>& dots, int columns, int rows);

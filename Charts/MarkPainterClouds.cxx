@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The second half of MarkPainter: clouds of points too many to be drawn one by one, as images.
+// The second half of MarkPainter: clouds of points too many to be drawn one by one, as densities.
+// Classes are mixed as in J. A. Cottam, A. Lumsdaine, P. Wang, Overplotting: unified solutions
+// under abstract rendering, IEEE Big Data 2013, 9-16, doi:10.1109/BigData.2013.6691712.
 #include "MarkPainter.h"
 
 #include <vtkContext2D.h>
@@ -9,8 +11,8 @@
 #include <vtkRect.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdlib>
 
 namespace pemesh
 {
@@ -70,50 +72,91 @@ void MarkPainter::DrawDensity(const ChartSeries& series)
   this->DrawImage(dots, density.Columns, density.Rows);
 }
 
-void MarkPainter::DrawDots(const ChartSeries& series)
+namespace
 {
-  // In a window, where a unit is a pixel, no finer than can be seen.
-  const double cell = std::max(0.07 * this->Em, 1.5);
+
+/** What lies in a cell of the grid: sums over its points. */
+struct CellSums
+{
+  double Points = 0.0;
+  double Coloured = 0.0;       // of these, the ones whose value has a place on the colour scale
+  double Place = 0.0;          // on it
+  std::array<double, 3> Mix{}; // of the colours of the classes
+};
+
+/** Cells of few points are paler, but never invisible. */
+unsigned char OpacityOfCount(double points, double most)
+{
+  constexpr double least = 0.4;
+  const double part = most > 1.0 ? std::log(points) / std::log(most) : 1.0;
+  return static_cast<unsigned char>(std::lround(255.0 * (least + (1.0 - least) * part)));
+}
+
+} // namespace
+
+void MarkPainter::DrawMixedDensity()
+{
   const Box& area = this->Place.Area;
+  const double cell = DensityCell * this->Em;
   const int columns = std::max(1, static_cast<int>(area.Width / cell));
   const int rows = std::max(1, static_cast<int>(area.Height / cell));
-  constexpr ChartColor empty = { 255, 255, 255, 0 };
-  std::vector<ChartColor> dots(static_cast<std::size_t>(columns) * rows, empty);
-  std::vector<unsigned char> isMiddle(dots.size(), 0);
+  std::vector<CellSums> cells(static_cast<std::size_t>(columns) * rows);
   const double scaleX = columns / (this->Place.X.High - this->Place.X.Low);
   const double scaleY = rows / (this->Place.Y.High - this->Place.Y.Low);
-  const std::vector<double>& xs = series.PlacesX();
-  const std::vector<double>& ys = series.PlacesY();
-  // From the last point to the first, and only where there is none yet: later rows lie above, and
-  // of many points in one place only one costs anything.
-  for (std::size_t i = xs.size(); i-- > 0;)
+  double most = 0.0;
+  for (const ChartSeries& series : this->Plot.AllSeries)
   {
-    const double x = (xs[i] - this->Place.X.Low) * scaleX;
-    const double y = (ys[i] - this->Place.Y.Low) * scaleY;
-    if (!(x >= 0.0 && y >= 0.0 && x < columns && y < rows)) // also where it is NaN
+    const std::vector<double>& xs = series.PlacesX();
+    const std::vector<double>& ys = series.PlacesY();
+    const ChartColor color = this->Painter.ColorOfSeries(series.Style);
+    for (std::size_t i = 0; series.OfRows && i < ys.size(); ++i)
     {
-      continue;
-    }
-    const auto column = static_cast<int>(x);
-    const auto row = static_cast<int>(y);
-    const std::size_t middle = static_cast<std::size_t>(row) * columns + column;
-    if (isMiddle[middle] != 0)
-    {
-      continue;
-    }
-    isMiddle[middle] = 1;
-    const ChartColor color = this->ColorOf(series, i);
-    // Five by five cells without the corners: a round dot.
-    for (int dy = std::max(-2, -row); dy <= std::min(2, rows - 1 - row); ++dy)
-    {
-      const int reach = std::abs(dy) == 2 ? 1 : 2;
-      const int last = std::min(columns - 1, column + reach);
-      for (int at = std::max(0, column - reach); at <= last; ++at)
+      const double x = (xs[i] - this->Place.X.Low) * scaleX;
+      const double y = (ys[i] - this->Place.Y.Low) * scaleY;
+      if (!(x >= 0.0 && y >= 0.0 && x < columns && y < rows)) // also where it is NaN
       {
-        ChartColor& dot = dots[static_cast<std::size_t>(row + dy) * columns + at];
-        dot = dot[3] == 0 ? color : dot;
+        continue;
+      }
+      CellSums& sums = cells[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)];
+      sums.Points += 1.0;
+      most = std::max(most, sums.Points);
+      if (series.Values.empty())
+      {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+        {
+          sums.Mix[channel] += color[channel];
+        }
+      }
+      else if (const double place = this->Colors.PlaceOf(series.Values[i]); !std::isnan(place))
+      {
+        sums.Coloured += 1.0;
+        sums.Place += place;
       }
     }
+  }
+  const bool byValue = std::any_of(this->Plot.AllSeries.begin(), this->Plot.AllSeries.end(),
+    [](const ChartSeries& series) { return !series.Values.empty(); });
+  std::vector<ChartColor> dots(cells.size(), ChartColor{ 255, 255, 255, 0 });
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const CellSums& sums = cells[i];
+    if (sums.Points == 0.0)
+    {
+      continue;
+    }
+    if (byValue)
+    {
+      dots[i] = sums.Coloured > 0.0 ? MapColor(*this->Colors.Map, sums.Place / sums.Coloured)
+                                    : UndefinedColor;
+    }
+    else
+    {
+      for (std::size_t channel = 0; channel < 3; ++channel)
+      {
+        dots[i][channel] = static_cast<unsigned char>(std::lround(sums.Mix[channel] / sums.Points));
+      }
+    }
+    dots[i][3] = OpacityOfCount(sums.Points, most);
   }
   this->DrawImage(dots, columns, rows);
 }

@@ -134,6 +134,9 @@ void MeshPainter::FitIntoBox(Box box)
   this->Picture.Y = box.Y + edge + 0.5 * (roomY - this->Picture.Height);
   this->OffsetX = this->Picture.X - this->ScaleFactor * this->Bounds[0];
   this->OffsetY = this->Picture.Y - this->ScaleFactor * this->Bounds[2];
+  this->Placed.resize(this->Vertices.size());
+  std::transform(this->Vertices.begin(), this->Vertices.end(), this->Placed.begin(),
+    [this](const Point2& vertex) { return this->ToDevice(vertex); });
   if (this->HasColorBar)
   {
     // As high as the mesh, and higher where the mesh is a narrow strip.
@@ -152,14 +155,15 @@ Point2 MeshPainter::ToDevice(const Point2& point) const
     this->OffsetY + this->ScaleFactor * point.y };
 }
 
-std::vector<Point2> MeshPainter::ElementInDevice(vtkIdType element) const
+bool MeshPainter::IsElement(vtkIdType element) const
 {
-  std::vector<Point2> polygon;
-  for (std::size_t i = this->FirstOf[element]; i < this->FirstOf[element + 1]; ++i)
-  {
-    polygon.push_back(this->ToDevice(this->Vertices[i]));
-  }
-  return polygon;
+  return element >= 0 && element < this->NumberOfElements();
+}
+
+std::span<const Point2> MeshPainter::ElementInDevice(vtkIdType element) const
+{
+  const std::size_t first = this->FirstOf[element];
+  return std::span(this->Placed).subspan(first, this->FirstOf[element + 1] - first);
 }
 
 void MeshPainter::FillBatch(const PolygonBatch& batch, const ChartColor& color, double seamWidth)
@@ -220,7 +224,10 @@ void MeshPainter::FillPlain()
   PolygonBatch marked; // frames alone do not tell on which side of them the elements are
   for (const vtkIdType element : this->Style.Marked)
   {
-    marked.Add(this->ElementInDevice(element));
+    if (this->IsElement(element))
+    {
+      marked.Add(this->ElementInDevice(element));
+    }
   }
   this->FillBatch(marked, MarkedColor, SeamWidth);
 }
@@ -228,7 +235,7 @@ void MeshPainter::FillPlain()
 void MeshPainter::FillByCells()
 {
   // Elements of one colour are one path: fewer and larger shapes, and no seams among them. The last
-  // two batches hold the undefined values and, among classes, the negative ones.
+  // batch holds what has no colour: undefined values, or elements of no class.
   const int levels = this->Classes.empty() ? CellLevels : static_cast<int>(this->Classes.size());
   std::vector<PolygonBatch> batches(levels + 1);
   std::vector<ChartColor> colors(levels + 1);
@@ -275,7 +282,7 @@ void MeshPainter::FillByPoints()
   for (vtkIdType element = 0; element < this->NumberOfElements(); ++element)
   {
     const std::size_t first = this->FirstOf[element];
-    const std::vector<Point2> polygon = this->ElementInDevice(element);
+    const std::span<const Point2> polygon = this->ElementInDevice(element);
     const auto valueAt = [&](int vertex)
     { return this->Style.PointValues->GetComponent(this->PointIds[first + vertex], 0); };
     for (const PolygonTriangle& corners : triangulator.Triangulate(polygon))
@@ -334,26 +341,27 @@ void MeshPainter::DrawOutlines()
 
 void MeshPainter::DrawElementOutline(vtkIdType element, double ems, const ChartColor& color)
 {
+  const std::span<const Point2> polygon = this->ElementInDevice(element);
   std::vector<float> line;
-  std::vector<Point2> polygon = this->ElementInDevice(element);
-  polygon.push_back(polygon.front());
+  line.reserve(2 * polygon.size() + 2);
   for (const Point2& point : polygon)
   {
     line.push_back(static_cast<float>(point.x));
     line.push_back(static_cast<float>(point.y));
   }
+  line.insert(line.end(), { line[0], line[1] });
   this->Painter.Poly(line, ems, color);
 }
 
-void MeshPainter::MarkElement(vtkIdType element, const ChartColor& color)
+void MeshPainter::MarkElement(vtkIdType element, const ChartColor& color, bool mayHaveRing)
 {
-  if (element < 0)
+  if (!this->IsElement(element))
   {
     return;
   }
   this->DrawElementOutline(element, 0.3, White);
   this->DrawElementOutline(element, 0.17, color);
-  const std::vector<Point2> polygon = this->ElementInDevice(element);
+  const std::span<const Point2> polygon = this->ElementInDevice(element);
   double low[2] = { 1e300, 1e300 };
   double high[2] = { -1e300, -1e300 };
   for (const Point2& point : polygon)
@@ -364,10 +372,8 @@ void MeshPainter::MarkElement(vtkIdType element, const ChartColor& color)
     high[1] = std::max(high[1], point.y);
   }
   const double extent = std::max(high[0] - low[0], high[1] - low[1]);
-  constexpr std::size_t mostRings = 30; // more would hide what they are around
-  if (extent < 2.0 * this->Em && this->Style.Marked.size() <= mostRings)
+  if (mayHaveRing && extent < 2.0 * this->Em)
   {
-    // A ring around an element that would be overlooked.
     const double radius = 0.5 * extent + 0.9 * this->Em;
     constexpr int steps = 72;
     std::vector<float> ring;
@@ -398,11 +404,19 @@ void MeshPainter::Paint(const Box& whole)
   this->Painter.TakeTitle(box, this->Style.Title);
   this->Painter.TakeNote(box, this->MakeNote());
   const std::vector<LegendEntry> legend = this->MakeLegend();
+  // Rings around elements at the boundary reach beyond it, and must not reach any text.
+  const bool hasRings = this->Smallest >= 0 || this->Largest >= 0 || !this->Style.Marked.empty();
+  const double gap = (hasRings ? 1.0 : 0.3) * this->Em;
   if (!legend.empty())
   {
-    box.Height -= this->Painter.LegendHeight(legend, box.Width) + 0.3 * this->Em;
+    box.Height -= this->Painter.LegendHeight(legend, box.Width) + gap;
   }
-  const double legendTop = legend.empty() ? box.Top() : box.Top() + 0.3 * this->Em;
+  const double legendTop = legend.empty() ? box.Top() : box.Top() + gap;
+  if (hasRings && !this->MakeNote().empty())
+  {
+    box.Y += 0.7 * this->Em;
+    box.Height -= 0.7 * this->Em;
+  }
   this->FitIntoBox(box);
   this->PlaceLegend(legend, box, legendTop + this->Painter.LegendHeight(legend, box.Width));
   if (this->NumberOfElements() == 0)
@@ -426,16 +440,18 @@ void MeshPainter::Paint(const Box& whole)
     this->FillPlain();
   }
   this->DrawOutlines();
-  for (const vtkIdType element : this->Style.Marked)
+  constexpr std::size_t mostRings = 30; // more would hide what they are around
+  const auto mark = [&](const std::vector<vtkIdType>& elements, const ChartColor& color)
   {
-    this->MarkElement(element, MarkedInk);
-  }
-  this->MarkElement(this->Smallest, SmallestInk);
-  this->MarkElement(this->Largest, LargestInk);
-  for (const vtkIdType element : this->Style.Highlighted)
-  {
-    this->MarkElement(element < this->NumberOfElements() ? element : -1, TextInk);
-  }
+    for (const vtkIdType element : elements)
+    {
+      this->MarkElement(element, color, elements.size() <= mostRings);
+    }
+  };
+  mark(this->Style.Marked, MarkedInk);
+  this->MarkElement(this->Smallest, SmallestInk, true);
+  this->MarkElement(this->Largest, LargestInk, true);
+  mark(this->Style.Highlighted, TextInk);
 }
 
 } // namespace pemesh

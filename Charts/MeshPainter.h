@@ -11,6 +11,8 @@
 
 #include <vtkType.h> // For vtkIdType
 
+#include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -29,7 +31,8 @@ struct MeshStyle
   std::string MapName = "viridis";
   bool Logarithmic = false;
   bool Diverging = false;
-  double Range[2]; // NaN: of the values
+  double Range[2] = { std::numeric_limits<double>::quiet_NaN(),
+    std::numeric_limits<double>::quiet_NaN() }; // NaN: of the values
   std::vector<std::string> ClassLabels;
   bool Outlines = true;
   bool OutlinesAreAutomatic = true;
@@ -71,9 +74,11 @@ private:
   void FillBatch(const PolygonBatch& batch, const ChartColor& color, double seamWidth);
   void DrawOutlines();
   void DrawElementOutline(vtkIdType element, double ems, const ChartColor& color);
-  void MarkElement(vtkIdType element, const ChartColor& color);
+  /** Frames an element, with a ring around one that would be overlooked. */
+  void MarkElement(vtkIdType element, const ChartColor& color, bool mayHaveRing);
+  bool IsElement(vtkIdType element) const;
   Point2 ToDevice(const Point2& point) const;
-  std::vector<Point2> ElementInDevice(vtkIdType element) const;
+  std::span<const Point2> ElementInDevice(vtkIdType element) const;
   vtkIdType NumberOfElements() const;
   double CellValue(vtkIdType element) const;
   ChartColor ClassColor(int value) const;
@@ -83,6 +88,7 @@ private:
   const MeshStyle& Style;
   double Em;
   std::vector<Point2> Vertices;     // of all elements, one after the other
+  std::vector<Point2> Placed;       // the same in the device
   std::vector<vtkIdType> PointIds;  // of the same
   std::vector<std::size_t> FirstOf; // of every element, and the end
   double Bounds[4] = { 0.0, 1.0, 0.0, 1.0 };

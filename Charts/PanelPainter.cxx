@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PanelPainter.h"
 
+#include "FontFiles.h"
 #include "vtkPEMCairoContextDevice2D.h"
 
 #include <vtkBrush.h>
@@ -18,8 +19,6 @@ namespace pemesh
 namespace
 {
 
-constexpr const char* FontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
-constexpr const char* BoldFontFile = "/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf";
 
 constexpr double LegendRow = 1.44; // text sizes
 constexpr double LegendGlyph = 1.9;
@@ -133,7 +132,7 @@ void PanelPainter::ApplyText(const PanelText& style)
   {
     // The fonts within VTK know no Greek letters, superscripts or arrows.
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(style.Bold ? BoldFontFile : FontFile);
+    property->SetFontFile(FindFontFile(this->Look.FontFamily, style.Bold).c_str());
   }
   property->SetFontSize(std::max(1, static_cast<int>(std::lround(style.Size * this->EmSize))));
   property->SetBold(style.Bold);

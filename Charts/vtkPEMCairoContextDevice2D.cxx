@@ -73,6 +73,14 @@ std::string vtkPEMCairoContextDevice2D::GetContents() const
   return this->Contents;
 }
 
+void vtkPEMCairoContextDevice2D::GetNumberOfPixels(int size[2]) const
+{
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    size[axis] = pemesh::CairoCanvas::NumberOfPixels(this->PageSize[axis], this->DPI);
+  }
+}
+
 std::string vtkPEMCairoContextDevice2D::GetErrorMessage() const
 {
   return this->ErrorMessage;
@@ -92,7 +100,7 @@ void vtkPEMCairoContextDevice2D::Begin(vtkViewport*)
   this->SetViewportSize(vtkVector2i(this->Geometry[0], this->Geometry[1]));
   this->SetViewportRect(vtkRecti(0, 0, this->Geometry[0], this->Geometry[1]));
   using Kind = pemesh::CairoCanvas::Format;
-  constexpr Kind kinds[] = { Kind::Png, Kind::Svg, Kind::Pdf };
+  constexpr Kind kinds[] = { Kind::Png, Kind::Svg, Kind::Pdf, Kind::Pixels };
   try
   {
     this->Canvas = std::make_unique<pemesh::CairoCanvas>(kinds[this->Format], this->PageSize[0],
@@ -244,19 +252,41 @@ void vtkPEMCairoContextDevice2D::DrawMarkers(
   {
     return;
   }
-  const Color color = PenColor(this->Pen);
+  constexpr int most = 256; // markers of a path: the time of drawing one grows with its crossings
+  const Color own = PenColor(this->Pen);
   const double size = this->Pen->GetWidth() * (highlight ? 1.4 : 1.0);
+  cairo_t* cairo = this->Canvas->Context();
+  int count = 0;
+  Color current = own;
+  const auto draw = [&]()
+  {
+    if (count > 0)
+    {
+      pemesh::SetSource(cairo, current.data());
+      pemesh::DrawMarkerPath(cairo, shape, size);
+    }
+    count = 0;
+  };
   for (int i = 0; i < n; ++i)
   {
     double x = points[2 * i];
     double y = points[2 * i + 1];
     this->Transform(x, y);
-    if (std::isfinite(x) && std::isfinite(y))
+    if (!std::isfinite(x) || !std::isfinite(y))
     {
-      pemesh::AddMarkerPath(this->Canvas->Context(), shape, x, y, size);
-      this->Fill(colors ? pemesh::ArrayColor(colors, nc_comps, i).data() : color.data());
+      continue;
     }
+    const Color color = colors ? pemesh::ArrayColor(colors, nc_comps, i) : own;
+    // In one path those that are not opaque would not add up where they overlap.
+    if (color != current || color[3] < 255 || count == most)
+    {
+      draw();
+    }
+    current = color;
+    pemesh::AddMarkerPath(cairo, shape, x, y, size);
+    ++count;
   }
+  draw();
 }
 
 void vtkPEMCairoContextDevice2D::DrawQuad(float* points, int n)

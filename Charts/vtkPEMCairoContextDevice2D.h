@@ -51,12 +51,13 @@ public:
   {
     FORMAT_PNG = 0,
     FORMAT_SVG = 1,
-    FORMAT_PDF = 2
+    FORMAT_PDF = 2,
+    FORMAT_PIXELS = 3 ///< no file: the picture of FORMAT_PNG for a window, see GetContents
   };
 
   ///@{
   /** What is made; takes effect at Begin, as the four below. Default FORMAT_PNG. */
-  vtkSetClampMacro(Format, int, FORMAT_PNG, FORMAT_PDF);
+  vtkSetClampMacro(Format, int, FORMAT_PNG, FORMAT_PIXELS);
   vtkGetMacro(Format, int);
   ///@}
   ///@{
@@ -84,7 +85,13 @@ public:
   void Begin(vtkViewport* viewport) override;
   /** Finishes the page: GetContents is the whole file, or empty with GetErrorMessage saying why. */
   void End() override;
+  /**
+   * The file. Of FORMAT_PIXELS the rows of pixels from the top, GetNumberOfPixels wide and high,
+   * four bytes each: 0xRRGGBB as a number of the machine, its highest byte without meaning.
+   */
   std::string GetContents() const;
+  /** Of a page in pixels (FORMAT_PNG, FORMAT_PIXELS), as the page and the resolution make it. */
+  void GetNumberOfPixels(int size[2]) const;
   std::string GetErrorMessage() const;
 
   /**

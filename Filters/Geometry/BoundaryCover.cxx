@@ -61,6 +61,15 @@ double HalfTangent(const Point2& axis, const Point2& direction)
   return Dot(LeftOf(axis), direction) / (1.0 + Dot(axis, direction));
 }
 
+double SquaredDistanceFrom(const Edge& edge, const Point2& point)
+{
+  const Point2 offset = point - edge.Start;
+  const double along = std::clamp(Dot(offset, edge.Direction), 0.0, edge.Length);
+  const Point2 away = { offset.x - along * edge.Direction.x,
+    offset.y - along * edge.Direction.y };
+  return Dot(away, away);
+}
+
 struct Arc // of directions, counter-clockwise
 {
   bool IsEmpty = true;
@@ -153,29 +162,49 @@ double BoundaryCover::DistanceFrom(const Point2& point) const
   double least = Infinity;
   for (const Edge& edge : this->Edges)
   {
-    const Point2 offset = point - edge.Start;
-    const double along = std::clamp(Dot(offset, edge.Direction), 0.0, edge.Length);
-    least = std::min(
-      least, Length({ offset.x - along * edge.Direction.x, offset.y - along * edge.Direction.y }));
+    least = std::min(least, SquaredDistanceFrom(edge, point));
   }
-  return least;
+  return std::sqrt(least);
 }
 
-bool BoundaryCover::FindFarther(double radius, double tolerance, Point2& point)
+void BoundaryCover::FindEdgesAround(const Point2& common, double radius)
+{
+  this->Around.clear();
+  this->IsAround.resize(this->Edges.size());
+  for (std::size_t i = 0; i < this->Edges.size(); ++i)
+  {
+    const bool isAround = SquaredDistanceFrom(this->Edges[i], common) <= radius * radius;
+    this->IsAround[i] = isAround ? 1 : 0;
+    if (isAround)
+    {
+      this->Around.push_back(i);
+    }
+  }
+}
+
+bool BoundaryCover::FindFarther(
+  double radius, double tolerance, const Point2& common, Point2& point)
 {
   if (this->Edges.size() < 3)
   {
     return false;
   }
   this->Least = radius - tolerance;
+  this->FindEdgesAround(common, radius);
   const std::size_t size = this->Edges.size();
+  const auto FindOnCurve = [&](std::size_t edge, bool isArc)
+  {
+    const std::size_t before = edge == 0 ? size - 1 : edge - 1;
+    if (this->IsAround[edge] != 0 || (isArc && this->IsAround[before] != 0))
+    {
+      return false;
+    }
+    return isArc ? this->Edges[edge].Turn < 0.0 && this->FindOnArc(edge, radius, point)
+                 : this->FindOnParallel(edge, radius, point);
+  };
   for (std::size_t i = 0; i < 2 * size; ++i)
   {
-    const std::size_t edge = this->NextCurve / 2;
-    const bool found = this->NextCurve % 2 == 0
-      ? this->FindOnParallel(edge, radius, point)
-      : this->Edges[edge].Turn < 0.0 && this->FindOnArc(edge, radius, point);
-    if (found)
+    if (FindOnCurve(this->NextCurve / 2, this->NextCurve % 2 != 0))
     {
       return true;
     }
@@ -260,6 +289,11 @@ bool BoundaryCover::FindOnArc(std::size_t vertex, double radius, Point2& point)
     return Point2{ center.x + along * axis.x - across * axis.y,
       center.y + along * axis.y + across * axis.x };
   };
+  // An arc is mostly covered by what the circle found so far touches.
+  for (std::size_t i = 0; i < this->Around.size() && this->Rest.Low < this->Rest.High; ++i)
+  {
+    Cut(this->Edges[this->Around[i]]);
+  }
   return !this->IsCovered(before, vertex, this->Edges.size() - 2, Cut) &&
     this->FindInGaps(Place, point);
 }

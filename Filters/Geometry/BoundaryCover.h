@@ -11,6 +11,11 @@
  * R of it, in one piece at most. So the region is empty if and only if the stadiums of the other
  * edges cover the part inside of every curve: one-dimensional questions, O(n) each. An error e of
  * rounding can hide only a region in which no point is farther than R + O(e n).
+ *
+ * Not all curves need be asked. Stadiums that have a point in common have a star-shaped union, which
+ * has no hole. So on the boundary of every piece of the region there is a point that is farther than
+ * R from all edges whose stadiums contain a given point, the center of the circle found so far, say:
+ * the curves of these edges are left out.
  */
 #ifndef pemesh_BoundaryCover_h
 #define pemesh_BoundaryCover_h
@@ -51,11 +56,12 @@ public:
 
   /**
    * A point inside that is farther than `radius` from the boundary, at any rate farther than
-   * `radius` less `tolerance`, which has to exceed rounding; false if there is none. The search
+   * `radius` less `tolerance`, which has to exceed rounding; false if there is none. The answer is
+   * the same for any `common` point, and soonest for one within `radius` of many edges. The search
    * goes on where the last one ended. O(n^2) at worst, mostly far less, for a curve is covered by
    * the edges next to it.
    */
-  bool FindFarther(double radius, double tolerance, Point2& point);
+  bool FindFarther(double radius, double tolerance, const Point2& common, Point2& point);
 
 private:
   struct Interval
@@ -64,6 +70,7 @@ private:
     double High;
   };
 
+  void FindEdgesAround(const Point2& common, double radius);
   bool FindOnParallel(std::size_t edge, double radius, Point2& point);
   bool FindOnArc(std::size_t vertex, double radius, Point2& point);
   template <typename Cut>
@@ -75,6 +82,8 @@ private:
   double Scale = 0.0;
   double Least = 0.0; // what a point has to be farther than
   std::vector<Edge> Edges;
+  std::vector<char> IsAround;      // of each edge, whether the common point is in its stadium
+  std::vector<std::size_t> Around; // those edges
   Interval Rest{};                 // what is not covered of the curve, by a parameter along it
   std::vector<Interval> Intervals; // that cover an inner part of that
   std::size_t NextCurve = 0;

@@ -143,8 +143,8 @@ Circle InscribedCircleFinder::FindByClimbing(PolygonView polygon)
   const double least = 0.49 * measure.Area / this->Boundary.GetScale();
   double tolerance = this->Tolerance();
   // Every climb goes up by half the tolerance at least, mostly to the next local maximum.
-  while (this->Boundary.FindFarther(
-    std::max(least, this->Best.Radius + tolerance), 0.5 * tolerance, point))
+  while (this->Boundary.FindFarther(std::max(least, this->Best.Radius + tolerance), 0.5 * tolerance,
+    this->Best.Center, point))
   {
     this->Climb(point);
     tolerance = this->Tolerance();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Convergence.h"
 
+#include "CurveFit.h"
 #include "NumberText.h"
 
 #include <algorithm>
@@ -10,6 +11,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 namespace pemesh
 {
@@ -31,50 +33,6 @@ double OrderBetween(double coarseSize, double coarseError, double fineSize, doub
     : Undefined;
 }
 
-// The line of least squares through the logarithms.
-void Fit(std::span<const double> sizes, ConvergenceColumn& column)
-{
-  double n = 0.0;
-  double meanX = 0.0;
-  double meanY = 0.0;
-  const auto forEach = [&](const auto& action)
-  {
-    for (std::size_t i = 0; i < sizes.size(); ++i)
-    {
-      if (IsPositive(column.Errors[i]))
-      {
-        action(std::log(sizes[i]), std::log(column.Errors[i]));
-      }
-    }
-  };
-  forEach(
-    [&](double x, double y)
-    {
-      n += 1.0;
-      meanX += x;
-      meanY += y;
-    });
-  meanX /= n;
-  meanY /= n;
-  double xx = 0.0;
-  double xy = 0.0;
-  forEach(
-    [&](double x, double y)
-    {
-      xx += (x - meanX) * (x - meanX);
-      xy += (x - meanX) * (y - meanY);
-    });
-  column.Order = xx > 0.0 ? xy / xx : Undefined;
-  double rest = 0.0;
-  forEach(
-    [&](double x, double y)
-    {
-      const double residual = y - meanY - column.Order * (x - meanX);
-      rest += residual * residual;
-    });
-  column.StandardError = n > 2.0 && xx > 0.0 ? std::sqrt(rest / (n - 2.0) / xx) : Undefined;
-}
-
 ConvergenceColumn MakeColumn(
   const ErrorColumn& errors, std::span<const std::size_t> order, std::span<const double> sizes)
 {
@@ -89,7 +47,9 @@ ConvergenceColumn MakeColumn(
   {
     column.Orders[i] = OrderBetween(sizes[i - 1], column.Errors[i - 1], sizes[i], column.Errors[i]);
   }
-  Fit(sizes, column);
+  const std::optional<CurveFit> fit = FitCurve(CurveForm::Power, sizes, column.Errors);
+  column.Order = fit ? fit->B : Undefined;
+  column.StandardError = fit ? fit->StandardErrorOfB() : Undefined;
   return column;
 }
 

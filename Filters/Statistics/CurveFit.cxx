@@ -5,6 +5,7 @@
 #include <boost/math/distributions/students_t.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -17,46 +18,69 @@ namespace
 
 constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
 
-bool HasLogX(CurveForm form)
-{
-  return form == CurveForm::Power;
-}
-
-bool HasLogY(CurveForm form)
-{
-  return form != CurveForm::Linear;
-}
+constexpr std::array<FormKind, 3> Kinds{ {
+  { CurveForm::Linear, "linear", "a straight line", "slope", false, false },
+  { CurveForm::Power, "power-law", "a power law", "exponent", true, true },
+  { CurveForm::Exponential, "exponential", "an exponential", "rate", false, true },
+} };
 
 double Straight(double value, bool logarithmic)
 {
   return !logarithmic ? value : value > 0.0 ? std::log(value) : Undefined;
 }
 
-/** Points where the curve is a straight line. */
+/** Values where the curve is a straight line, in units so that no square overflows or vanishes. */
+struct StraightValues
+{
+  std::vector<double> Values;
+  double Unit = 1.0;
+  double Largest = 0.0; // size of a value, in units
+
+  void Finish(bool logarithmic)
+  {
+    for (const double value : this->Values)
+    {
+      this->Largest = std::max(this->Largest, std::fabs(value));
+    }
+    if (!logarithmic && this->Largest > 0.0)
+    {
+      this->Unit = this->Largest;
+      this->Largest = 1.0;
+      for (double& value : this->Values)
+      {
+        value /= this->Unit;
+      }
+    }
+  }
+};
+
 struct StraightPoints
 {
-  std::vector<double> X;
-  std::vector<double> Y;
+  StraightValues X;
+  StraightValues Y;
   long LeftOut = 0;
 };
 
-StraightPoints Straighten(CurveForm form, std::span<const double> x, std::span<const double> y)
+StraightPoints Straighten(
+  const FormKind& kind, std::span<const double> x, std::span<const double> y)
 {
   StraightPoints points;
   for (std::size_t i = 0; i < x.size(); ++i)
   {
-    const double straightX = Straight(x[i], HasLogX(form));
-    const double straightY = Straight(y[i], HasLogY(form));
+    const double straightX = Straight(x[i], kind.LogX);
+    const double straightY = Straight(y[i], kind.LogY);
     if (std::isfinite(straightX) && std::isfinite(straightY))
     {
-      points.X.push_back(straightX);
-      points.Y.push_back(straightY);
+      points.X.Values.push_back(straightX);
+      points.Y.Values.push_back(straightY);
     }
     else
     {
       ++points.LeftOut;
     }
   }
+  points.X.Finish(kind.LogX);
+  points.Y.Finish(kind.LogY);
   return points;
 }
 
@@ -70,7 +94,29 @@ double Mean(const std::vector<double>& values)
   return sum / static_cast<double>(values.size());
 }
 
+/** Sum of squares that rounding alone leaves of n values. */
+double RoundingOf(const StraightValues& values)
+{
+  const double each = 16.0 * std::numeric_limits<double>::epsilon() * values.Largest;
+  return static_cast<double>(values.Values.size()) * each * each;
+}
+
 } // namespace
+
+std::span<const FormKind> FormKinds()
+{
+  return Kinds;
+}
+
+const FormKind& CurveFit::Kind() const
+{
+  return Kinds[static_cast<std::size_t>(this->Form)];
+}
+
+double CurveFit::StandardErrorOfB() const
+{
+  return this->Points > 2 ? this->Deviation / this->SpreadX : Undefined;
+}
 
 double CurveFit::ValueAt(double x) const
 {
@@ -94,70 +140,81 @@ CurveBand CurveFit::BandAt(double x, double confidence) const
   const auto n = static_cast<double>(this->Points);
   const boost::math::students_t distribution(n - 2.0);
   const double t = boost::math::quantile(distribution, 0.5 * (1.0 + confidence));
-  const double offset = Straight(x, HasLogX(this->Form)) - this->MeanX;
-  const double half = t * this->Deviation * std::sqrt(1.0 / n + offset * offset / this->SpreadX);
-  const double value = Straight(this->ValueAt(x), HasLogY(this->Form));
-  return HasLogY(this->Form) ? CurveBand{ std::exp(value - half), std::exp(value + half) }
-                             : CurveBand{ value - half, value + half };
+  const bool logY = this->Kind().LogY;
+  const double offset = (Straight(x, this->Kind().LogX) - this->MeanX) / this->SpreadX;
+  const double half = t * this->Deviation * std::sqrt(1.0 / n + offset * offset);
+  const double value = Straight(this->ValueAt(x), logY);
+  return logY ? CurveBand{ std::exp(value - half), std::exp(value + half) }
+              : CurveBand{ value - half, value + half };
 }
 
 std::optional<CurveFit> FitCurve(
   CurveForm form, std::span<const double> x, std::span<const double> y)
 {
-  const StraightPoints points = Straighten(form, x, y);
-  const std::size_t n = points.X.size();
-  if (n < 2)
-  {
-    return {};
-  }
   CurveFit fit;
   fit.Form = form;
-  fit.Points = static_cast<long>(n);
-  fit.LeftOut = points.LeftOut;
-  fit.MeanX = Mean(points.X);
-  const double meanY = Mean(points.Y);
-  double products = 0.0;
-  double spreadY = 0.0;
-  double sumY = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
-  {
-    fit.SpreadX += (points.X[i] - fit.MeanX) * (points.X[i] - fit.MeanX);
-    products += (points.X[i] - fit.MeanX) * (points.Y[i] - meanY);
-    spreadY += (points.Y[i] - meanY) * (points.Y[i] - meanY);
-    sumY += points.Y[i];
-  }
-  const auto [least, greatest] = std::minmax_element(points.X.begin(), points.X.end());
-  if (*least == *greatest || !(fit.SpreadX > 0.0))
+  const StraightPoints points = Straighten(fit.Kind(), x, y);
+  const std::vector<double>& us = points.X.Values;
+  const std::vector<double>& vs = points.Y.Values;
+  if (us.size() < 2)
   {
     return {};
   }
-  fit.B = products / fit.SpreadX;
-  const double intercept = meanY - fit.B * fit.MeanX;
-  fit.A = HasLogY(form) ? std::exp(intercept) : intercept;
-  double residual = 0.0;
-  for (std::size_t i = 0; i < n; ++i)
+  fit.Points = static_cast<long>(us.size());
+  fit.LeftOut = points.LeftOut;
+  const double meanX = Mean(us);
+  const double meanY = Mean(vs);
+  double squaresX = 0.0;
+  double products = 0.0;
+  double squaresY = 0.0;
+  for (std::size_t i = 0; i < us.size(); ++i)
   {
-    const double error = points.Y[i] - intercept - fit.B * points.X[i];
-    residual += error * error;
+    squaresX += (us[i] - meanX) * (us[i] - meanX);
+    products += (us[i] - meanX) * (vs[i] - meanY);
+    squaresY += (vs[i] - meanY) * (vs[i] - meanY);
   }
-  const auto count = static_cast<double>(n);
-  fit.RSquared = spreadY > 0.0 ? std::max(0.0, 1.0 - residual / spreadY) : Undefined;
-  fit.Deviation = n > 2 ? std::sqrt(residual / (count - 2.0)) : 0.0;
+  const auto [least, greatest] = std::minmax_element(us.begin(), us.end());
+  if (*least == *greatest || !(squaresX > 0.0))
+  {
+    return {};
+  }
+  const double slope = products / squaresX;
+  const double intercept = meanY - slope * meanX;
+  double rest = 0.0;
+  for (std::size_t i = 0; i < us.size(); ++i)
+  {
+    const double error = vs[i] - intercept - slope * us[i];
+    rest += error * error;
+  }
+  const double unitY = points.Y.Unit;
+  const auto count = static_cast<double>(us.size());
+  fit.B = slope * (unitY / points.X.Unit);
+  fit.A = fit.Kind().LogY ? std::exp(intercept) : intercept * unitY;
+  fit.MeanX = meanX * points.X.Unit;
+  fit.SpreadX = std::sqrt(squaresX) * points.X.Unit;
+  fit.RSquared = squaresY > 0.0 ? std::max(0.0, 1.0 - rest / squaresY) : Undefined;
+  fit.Deviation = us.size() > 2 ? std::sqrt(rest / (count - 2.0)) * unitY : 0.0;
   // The logarithm of y has the derivative 1 / y: its density is carried back with it.
-  fit.LogLikelihood =
-    -0.5 * count * std::log(std::max(residual / count, 1e-300)) - (HasLogY(form) ? sumY : 0.0);
+  fit.LogLikelihood = rest <= RoundingOf(points.Y)
+    ? std::numeric_limits<double>::infinity()
+    : -0.5 * count * (std::log(rest / count) + 2.0 * std::log(unitY)) -
+      (fit.Kind().LogY ? count * meanY : 0.0);
   return fit;
 }
 
-std::optional<CurveFit> FitBestCurve(std::span<const double> x, std::span<const double> y)
+std::optional<CurveFit> FitBestCurve(
+  std::span<const double> x, std::span<const double> y, double leastRSquared)
 {
   std::optional<CurveFit> best;
-  for (const CurveForm form : { CurveForm::Linear, CurveForm::Power, CurveForm::Exponential })
+  for (const FormKind& kind : Kinds)
   {
-    const std::optional<CurveFit> fit = FitCurve(form, x, y);
-    if (fit &&
-      (!best || fit->Points > best->Points ||
-        (fit->Points == best->Points && fit->LogLikelihood > best->LogLikelihood)))
+    const std::optional<CurveFit> fit = FitCurve(kind.Form, x, y);
+    if (!fit || (leastRSquared > 0.0 && !(fit->RSquared >= leastRSquared)))
+    {
+      continue;
+    }
+    if (!best || fit->Points > best->Points ||
+      (fit->Points == best->Points && fit->LogLikelihood > best->LogLikelihood))
     {
       best = fit;
     }

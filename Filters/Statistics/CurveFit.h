@@ -6,7 +6,7 @@
  * logarithm of y. So a power law counts relative errors, as a reader of a log-log plot does.
  *
  * Points with a value that has no place there (NaN, infinite, not positive under a logarithm) are
- * left out.
+ * left out. Charts, trends in words and tables of convergence all use these fits.
  */
 #ifndef pemesh_CurveFit_h
 #define pemesh_CurveFit_h
@@ -26,6 +26,20 @@ enum class CurveForm
   Exponential // a e^(b x)
 };
 
+/** What is said of a form. */
+struct FormKind
+{
+  CurveForm Form;
+  const char* Name;      // "power-law"
+  const char* Label;     // "a power law"
+  const char* Parameter; // what B is called: "exponent"
+  bool LogX;             // where the curve is a straight line
+  bool LogY;
+};
+
+/** All forms, the simplest first: where two fit alike it is taken. */
+PEMESHFILTERSSTATISTICS_EXPORT std::span<const FormKind> FormKinds();
+
 /** An interval of ordinates. */
 struct CurveBand
 {
@@ -44,11 +58,18 @@ struct PEMESHFILTERSSTATISTICS_EXPORT CurveFit
 
   // Of the straight line: what the band is made of.
   double MeanX = 0.0;
-  double SpreadX = 0.0;   // sum of (x - mean)^2
+  double SpreadX = 0.0;   // root of the sum of (x - mean)^2
   double Deviation = 0.0; // residual standard deviation, n - 2 degrees of freedom; 0 for two points
-  double LogLikelihood = 0.0; // of y itself, up to a constant common to all forms
+  /** Of y itself, up to a constant common to all forms; infinite where no residual is above the
+   * rounding errors. */
+  double LogLikelihood = 0.0;
+
+  const FormKind& Kind() const;
 
   double ValueAt(double x) const;
+
+  /** Standard error of B, Deviation / SpreadX; NaN for fewer than three points. */
+  double StandardErrorOfB() const;
 
   /**
    * Where the mean of y at x is with this confidence (in (0, 1)): Student's t with n - 2 degrees of
@@ -63,13 +84,14 @@ PEMESHFILTERSSTATISTICS_EXPORT std::optional<CurveFit> FitCurve(
 
 /**
  * The form with the greatest likelihood of the same observations y, which makes errors of different
- * scales comparable; forms that would have to leave out more points than another do not count.
+ * scales comparable; forms that would have to leave out more points than another do not count, nor
+ * do those whose R^2 is below `leastRSquared` or, where that is positive, undefined.
  *
  * Reference: G. E. P. Box and D. R. Cox, An analysis of transformations, J. R. Stat. Soc. B 26
  * (1964) 211-252.
  */
 PEMESHFILTERSSTATISTICS_EXPORT std::optional<CurveFit> FitBestCurve(
-  std::span<const double> x, std::span<const double> y);
+  std::span<const double> x, std::span<const double> y, double leastRSquared = 0.0);
 
 } // namespace pemesh
 

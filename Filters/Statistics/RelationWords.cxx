@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RelationWords.h"
 
+#include "CurveFit.h"
 #include "NumberText.h"
 
 #include <algorithm>

@@ -15,18 +15,6 @@
 namespace pemesh
 {
 
-/** A form that is tried: a straight line once logarithms are taken where it says so. */
-struct FormKind
-{
-  const char* Name;      // "power-law"
-  const char* Label;     // "a power law"
-  const char* Parameter; // what its number is called: "exponent"
-  bool LogX;
-  bool LogY;
-};
-
-PEMESHFILTERSSTATISTICS_EXPORT std::span<const FormKind> FormKinds();
-
 struct TrendForm
 {
   /** A name of FormKinds(), "monotone", "none", or "undefined". */
@@ -39,13 +27,9 @@ struct TrendForm
 
 /**
  * Of the forms whose logarithms exist (all values positive) and whose R^2 is at least 0.9, the one
- * that comes nearest by least squares. Fits of y and of log y are compared as Box and Cox do:
- * residuals of log y count times the geometric mean of y. Where there is none the relation is
+ * that FitBestCurve takes. Where there is none the relation is
  * "monotone" if no two pairs contradict each other or |Spearman| >= 0.7, else "none". "undefined"
  * for fewer than three pairs, a constant sample and infinite values. Samples hold no NaN.
- *
- * Reference: G. E. P. Box, D. R. Cox, An analysis of transformations, J. R. Stat. Soc. B 26 (1964)
- * 211-252.
  */
 PEMESHFILTERSSTATISTICS_EXPORT TrendForm FindTrendForm(
   std::span<const double> x, std::span<const double> y);

@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * VTP, VTK's XML format for vtkPolyData, with all arrays. Written as raw appended data, not
- * compressed: the fastest, readable everywhere, and the same bytes for the same mesh.
+ * VTP, VTK's XML format for vtkPolyData, with all arrays. Written as binary data in place, not
+ * compressed: the same bytes for the same mesh. Appended data would be read and written faster, but
+ * ParaView 5.11 cannot read them any more since libexpat defers parsing (its 2.6.0, and Debian 12's
+ * 2.5.0-1+deb12u2; CVE-2023-52425).
  */
 #include "FormatFunctions.h"
 
@@ -232,8 +234,7 @@ void WriteVtp(const std::filesystem::path& path, vtkPolyData* mesh)
       errors.Watch(writer->GetExecutive());
       writer->SetFileName(temporary.c_str());
       writer->SetInputData(bare);
-      writer->SetDataModeToAppended();
-      writer->EncodeAppendedDataOff();
+      writer->SetDataModeToBinary();
       writer->SetCompressorTypeToNone();
       writer->SetHeaderTypeToUInt64();
       writer->SetByteOrderToLittleEndian();

@@ -12,6 +12,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -148,6 +149,30 @@ TEST(MeshView, MarkedElementsAreFramedAndSaid)
   ASSERT_TRUE(figure->Write(path));
   ASSERT_TRUE(ChartSupport::Run("pdftotext \"" + path + "\" \"" + path + ".txt\""));
   EXPECT_TRUE(ChartSupport::Run("grep -q 'Framed: 2 of 9 elements.' \"" + path + ".txt\""));
+}
+
+/** However many elements are marked, the extremes keep the rings that they are found by. */
+TEST(MeshView, ManyMarkedElementsLeaveTheRingsOfTheExtremes)
+{
+  vtkNew<vtkPEMMeshView> view;
+  view->SetMesh(ChartSupport::MakeSquares(60));
+  view->SetColorArray("Number");
+  view->SetHighlightByName("both");
+  // In the colour of the largest element: its frame, its ring and its entry in the legend.
+  const auto countInk = [](const ChartSupport::Picture& picture)
+  {
+    return std::count_if(picture.Pixels.begin(), picture.Pixels.end(),
+      [](const auto& c) { return c[0] > 190 && c[1] < 130 && c[1] > 70 && c[2] < 60; });
+  };
+  const auto alone = countInk(Paint(view, "ExtremesAlone"));
+  std::vector<vtkIdType> many;
+  for (vtkIdType element = 0; element < 100; ++element)
+  {
+    many.push_back(1500 + 7 * element);
+  }
+  view->SetMarkedElements(many, "Framed: 100 elements.");
+  EXPECT_GT(alone, 60);
+  EXPECT_GT(countInk(Paint(view, "ExtremesAmongMany")), alone * 8 / 10);
 }
 
 TEST(MeshView, BadInputIsNamed)

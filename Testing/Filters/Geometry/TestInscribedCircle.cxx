@@ -139,10 +139,14 @@ TEST(BoundaryCover, FindsWhatOnlyArcsAroundReflexVerticesBound)
   for (const double radius : { 0.9, 0.99, 0.999999 })
   {
     Point2 point;
-    ASSERT_TRUE(cover.FindFarther(radius, 1e-9, point)) << radius;
-    EXPECT_GT(cover.DistanceFrom(point), radius - 1e-9);
-    EXPECT_TRUE(cover.Contains(point));
-    EXPECT_FALSE(cover.FindFarther(1.0 + 1e-9, 1e-12, point));
+    // From the first vertex: a vertex of the star, its center, and a point far outside.
+    for (const Point2& common : { Point2{}, Point2{ -star[0].x, -star[0].y }, Point2{ 9, 9 } })
+    {
+      ASSERT_TRUE(cover.FindFarther(radius, 1e-9, common, point)) << radius;
+      EXPECT_GT(cover.DistanceFrom(point), radius - 1e-9);
+      EXPECT_TRUE(cover.Contains(point));
+      EXPECT_FALSE(cover.FindFarther(1.0 + 1e-9, 1e-12, common, point));
+    }
   }
 }
 
@@ -155,13 +159,18 @@ TEST(BoundaryCover, TellsTheRadiusFromAllOthers)
     BoundaryCover cover;
     cover.SetPolygon(polygon);
     Point2 point;
+    // Whatever the common point: it spares curves, and no answer may depend on it.
+    const Point2& vertex = polygon[seed % polygon.size()];
+    const Point2 common = { vertex.x - polygon[0].x, vertex.y - polygon[0].y };
     for (const double share : { 0.5, 0.9, 0.999, 0.9999999 })
     {
-      EXPECT_TRUE(cover.FindFarther(share * radius, 1e-9 * radius, point)) << seed << ' ' << share;
+      EXPECT_TRUE(cover.FindFarther(share * radius, 1e-9 * radius, common, point))
+        << seed << ' ' << share;
     }
     for (const double share : { 1.0000001, 1.001, 1.1, 2.0 })
     {
-      EXPECT_FALSE(cover.FindFarther(share * radius, 1e-9 * radius, point)) << seed << ' ' << share;
+      EXPECT_FALSE(cover.FindFarther(share * radius, 1e-9 * radius, common, point))
+        << seed << ' ' << share;
     }
   }
 }

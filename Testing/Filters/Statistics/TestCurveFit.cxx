@@ -29,6 +29,39 @@ TEST(CurveFit, NistNorris)
   EXPECT_NEAR(fit->B, 1.00211681802045, 1e-13);
   EXPECT_NEAR(fit->Deviation, 0.884796396144373, 1e-11);
   EXPECT_NEAR(fit->RSquared, 0.999993745883712, 1e-12);
+  EXPECT_NEAR(fit->StandardErrorOfB(), 0.429796848199937e-03, 1e-14);
+}
+
+TEST(CurveFit, ExtremeUnitsChangeNothing)
+{
+  const std::vector<double> x = { 1e-180, 2e-180, 4e-180 };
+  const std::vector<double> y = { 2e200, 3e200, 7e200 }; // of 1, 2, 4 and 2, 3, 7: 12 / 7
+  const auto fit = FitCurve(CurveForm::Linear, x, y);
+  ASSERT_TRUE(fit);
+  EXPECT_TRUE(std::isinf(fit->B)); // 1.7e380 is no number
+  const std::vector<double> large = { 1e300, 2e300, 4e300 };
+  const auto scaled = FitCurve(CurveForm::Linear, large, y);
+  ASSERT_TRUE(scaled);
+  EXPECT_NEAR(scaled->B, 12.0 / 7.0 * 1e-100, 1e-112);
+  const auto plain =
+    FitCurve(CurveForm::Linear, std::vector<double>{ 1, 2, 4 }, std::vector<double>{ 2, 3, 7 });
+  EXPECT_NEAR(scaled->BandAt(3e300, 0.9).Upper / plain->BandAt(3, 0.9).Upper, 1e200, 1e187);
+}
+
+/** Rounding alone does not choose among forms that all go through the points: the simplest. */
+TEST(CurveFit, OfExactFormsTheSimplestIsTaken)
+{
+  for (const double slope : { 0.1, 1.0 / 3.0, 7e-9, 12345.678 })
+  {
+    std::vector<double> x;
+    std::vector<double> y;
+    for (int i = 1; i < 30; ++i)
+    {
+      x.push_back(0.37 * i);
+      y.push_back(slope * x.back());
+    }
+    EXPECT_EQ(pemesh::FitBestCurve(x, y)->Form, CurveForm::Linear) << slope;
+  }
 }
 
 TEST(CurveFit, PowersAndExponentialsAreFoundAgain)

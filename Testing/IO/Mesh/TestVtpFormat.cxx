@@ -111,6 +111,16 @@ TEST(VtpFormat, TheTimeOfTheRequestIsNoPartOfTheFile)
   EXPECT_TRUE(mesh->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP())); // left alone
 }
 
+TEST(VtpFormat, HasNoAppendedDataWhichParaViewCannotRead)
+{
+  using testing::HasSubstr;
+  const auto path = TestFolder() / "square.vtp";
+  WriteMesh(path, MakeHouse());
+  const std::string bytes = ReadBytes(path);
+  EXPECT_THAT(bytes, HasSubstr("format=\"binary\""));
+  EXPECT_THAT(bytes, testing::Not(HasSubstr("appended")));
+}
+
 TEST(VtpFormat, AFailedCaseKeepsItsStatus)
 {
   vtkNew<vtkPolyData> mesh;
