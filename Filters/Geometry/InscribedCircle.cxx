@@ -72,7 +72,12 @@ Circle InscribedCircleFinder::Find(PolygonView polygon, bool convex)
   {
     return InscribedCircleOfTriangle(polygon);
   }
-  return convex ? this->FindInKernel(polygon) : this->FindByClimbing(polygon);
+  if (!convex)
+  {
+    return this->FindByClimbing(polygon);
+  }
+  const Circle circle = this->FindInKernel(this->KernelFinder.Find(polygon, true));
+  return { circle.Center + polygon[0], circle.Radius };
 }
 
 /** The bounding box as the region of the linear program, relative to `middle`, as far as `reach`.
@@ -100,24 +105,38 @@ void InscribedCircleFinder::SetPolygon(PolygonView polygon)
 
 Circle InscribedCircleFinder::FindInKernel(PolygonView polygon)
 {
-  this->SetPolygon(polygon);
-  const Point2 middle = { 0.5 * (this->Low.x + this->High.x), 0.5 * (this->Low.y + this->High.y) };
+  const Circle circle = this->FindInKernel(this->KernelFinder.Find(polygon));
+  return { circle.Center + polygon[0], circle.Radius };
+}
+
+/** The sides go round a convex region, so that their bounds alone make a linear program. */
+Circle InscribedCircleFinder::FindInKernel(const std::vector<PolygonKernelFinder::Side>& sides)
+{
+  if (sides.size() < 3)
+  {
+    return {};
+  }
+  Point2 middle;
+  double size = 0.0;
+  for (const PolygonKernelFinder::Side& side : sides)
+  {
+    middle = middle + side.Start;
+    size = std::max({ size, std::abs(side.Start.x), std::abs(side.Start.y) });
+  }
+  const double share = 1.0 / static_cast<double>(sides.size());
+  middle = { share * middle.x, share * middle.y };
   this->Program.ForgetBasis();
-  this->AddBox(middle, std::numeric_limits<double>::infinity());
-  for (const Edge& edge : this->Boundary.GetEdges())
+  this->Program.Clear();
+  for (const PolygonKernelFinder::Side& side : sides)
   {
-    const Point2 normal = LeftOf(edge.Direction);
-    this->Program.AddBound(Dot(normal, middle - edge.Start), normal);
+    const double inverse = 1.0 / Length(side.Direction);
+    const Point2 normal = { -side.Direction.y * inverse, side.Direction.x * inverse };
+    this->Program.AddBound(Dot(normal, middle - side.Start), normal);
   }
-  const SmallLinearProgram::Solution solution =
-    this->Program.Solve(RoundingOfPlanes * this->Boundary.GetScale(), 0.0);
-  const Point2 center = middle + solution.Position;
-  double radius = solution.Height > 0.0 ? std::numeric_limits<double>::infinity() : 0.0;
-  for (const Edge& edge : this->Boundary.GetEdges())
-  {
-    radius = std::min(radius, Dot(LeftOf(edge.Direction), center - edge.Start));
-  }
-  return { center + polygon[0], std::max(0.0, radius) };
+  const SmallLinearProgram::Solution solution = this->Program.Solve(RoundingOfPlanes * size, 0.0);
+  // What is left of rounding makes the circle smaller, never larger than its place allows.
+  return { middle + solution.Position,
+    std::max(0.0, this->Program.HeightAt(solution.Position)) };
 }
 
 /** What may be left unproved: more than rounding, far less than anyone can use. */

@@ -26,6 +26,7 @@
 
 #include "BoundaryCover.h"
 #include "Circle.h"
+#include "PolygonKernel.h"
 #include "SmallLinearProgram.h"
 #include "pemeshFiltersGeometryModule.h" // For export macro
 
@@ -44,11 +45,11 @@ public:
   /** The same, where the caller knows whether the polygon is convex. */
   Circle Find(PolygonView polygon, bool convex);
 
-  /**
-   * The largest circle to the left of the lines of all edges, which is the largest in the kernel
-   * of the polygon. The radius is 0 if there is none.
-   */
+  /** The largest circle in the kernel of the polygon. The radius is 0 if there is none. */
   Circle FindInKernel(PolygonView polygon);
+
+  /** The same, where its sides are known; relative to what they are relative to. */
+  Circle FindInKernel(const std::vector<PolygonKernelFinder::Side>& sides);
 
 private:
   struct Site // an edge as seen from a point
@@ -73,6 +74,7 @@ private:
   std::vector<Site> Sites;
   std::vector<Site> NextSites;
   SmallLinearProgram Program;
+  PolygonKernelFinder KernelFinder;
 };
 
 /** The largest circle inside a counter-clockwise simple polygon. */

@@ -2,70 +2,109 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PolygonKernel.h"
 
+#include "PlaneVectors.h"
 #include "PolygonMeasures.h"
+#include "Predicates.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pemesh
 {
 
-const std::vector<Point2>& PolygonKernelClipper::Clip(PolygonView polygon)
+namespace
 {
-  this->Kernel.clear();
+
+bool IsLess(const Point2& a, const Point2& b)
+{
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
+} // namespace
+
+const std::vector<PolygonKernelFinder::Side>& PolygonKernelFinder::Find(PolygonView polygon)
+{
+  return this->Find(polygon, IsConvex(polygon));
+}
+
+const std::vector<PolygonKernelFinder::Side>& PolygonKernelFinder::Find(
+  PolygonView polygon, bool convex)
+{
+  this->Sides.clear();
   const std::size_t size = polygon.size();
   if (size < 3)
   {
-    return this->Kernel;
+    return this->Sides;
   }
-  const Point2 origin = polygon[0];
-  if (IsConvex(polygon))
+  if (convex)
   {
-    for (const Point2& point : polygon)
+    for (std::size_t i = 0; i < size; ++i)
     {
-      this->Kernel.push_back({ point.x - origin.x, point.y - origin.y });
+      const Point2 direction = polygon[i + 1 == size ? 0 : i + 1] - polygon[i];
+      if (direction != Point2{})
+      {
+        this->Sides.push_back({ polygon[i] - polygon[0], direction });
+      }
     }
-    return this->Kernel;
+    return this->Sides;
   }
-  Point2 low;
-  Point2 high;
-  for (const Point2& point : polygon)
+  Point2 low = polygon[0];
+  Point2 high = low;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < size; ++i)
   {
-    low = { std::min(low.x, point.x - origin.x), std::min(low.y, point.y - origin.y) };
-    high = { std::max(high.x, point.x - origin.x), std::max(high.y, point.y - origin.y) };
+    const Point2& point = polygon[i];
+    low = { std::min(low.x, point.x), std::min(low.y, point.y) };
+    high = { std::max(high.x, point.x), std::max(high.y, point.y) };
+    first = IsLess(point, polygon[first]) ? i : first;
   }
-  this->Kernel = { low, { high.x, low.y }, high, { low.x, high.y } };
-  for (std::size_t i = 0; i < size; ++i)
+  if (size <= FewVertices)
+  {
+    this->Clip(polygon, low, high);
+  }
+  else if (low.x < high.x && low.y < high.y)
+  {
+    this->Start(polygon[first], size, low, high);
+    if (this->CutAll(polygon, first))
+    {
+      this->Collect(polygon[0]);
+    }
+  }
+  return this->Sides;
+}
+
+void PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Point2& high)
+{
+  const Point2 origin = polygon[0];
+  const Point2 from = low - origin;
+  const Point2 to = high - origin;
+  this->Sides = { { from, { 1.0, 0.0 } }, { { to.x, from.y }, { 0.0, 1.0 } }, { to, { -1.0, 0.0 } },
+    { { from.x, to.y }, { 0.0, -1.0 } } };
+  for (std::size_t i = 0; i < polygon.size() && !this->Sides.empty(); ++i)
   {
     const Point2& a = polygon[i];
-    const Point2& b = polygon[i + 1 == size ? 0 : i + 1];
+    const Point2& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
     // The direction from the vertices as given: exact for edges short against the coordinates.
-    if (!this->ClipHalfPlane({ a.x - origin.x, a.y - origin.y }, { b.x - a.x, b.y - a.y }))
-    {
-      break;
-    }
+    this->ClipHalfPlane(a - origin, b - a);
   }
-  return this->Kernel;
 }
 
 /**
  * Cuts off what is to the right of a line (I. E. Sutherland, G. W. Hodgman, Commun. ACM 17 (1974)
- * 32-42). False if nothing is left.
+ * 32-42).
  */
-bool PolygonKernelClipper::ClipHalfPlane(const Point2& anchor, const Point2& direction)
+void PolygonKernelFinder::ClipHalfPlane(const Point2& anchor, const Point2& direction)
 {
-  const std::size_t size = this->Kernel.size();
+  const std::size_t size = this->Sides.size();
   this->Heights.resize(size);
   double lowest = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
-    const Point2& p = this->Kernel[i];
-    this->Heights[i] = direction.x * (p.y - anchor.y) - direction.y * (p.x - anchor.x);
+    this->Heights[i] = Cross(direction, this->Sides[i].Start - anchor);
     lowest = std::min(lowest, this->Heights[i]);
   }
   if (!(lowest < 0.0))
   {
-    return true;
+    return;
   }
   // Every point is written and then kept or not: which it is cannot be foreseen, and a branch that
   // goes the other way costs more than the point.
@@ -76,34 +115,232 @@ bool PolygonKernelClipper::ClipHalfPlane(const Point2& anchor, const Point2& dir
     const std::size_t j = i + 1 == size ? 0 : i + 1;
     const double from = this->Heights[i];
     const double to = this->Heights[j];
-    const Point2 p = this->Kernel[i];
-    const Point2 q = this->Kernel[j];
-    this->Clipped[kept] = p;
+    const Side side = this->Sides[i];
+    const Point2 q = this->Sides[j].Start;
+    // A corner on the cut itself becomes the start of the new side.
+    this->Clipped[kept] = { side.Start, from == 0.0 && to < 0.0 ? direction : side.Direction };
     kept += from >= 0.0 ? 1 : 0;
     const double fraction = from / (from - to);
-    this->Clipped[kept] = { p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) };
+    const Point2& p = side.Start;
+    this->Clipped[kept] = { { p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) },
+      to < 0.0 ? direction : side.Direction };
     kept += std::min(from, to) < 0.0 && std::max(from, to) > 0.0 ? 1 : 0;
   }
-  this->Clipped.resize(kept);
-  std::swap(this->Kernel, this->Clipped);
-  if (this->Kernel.size() < 3)
+  this->Clipped.resize(kept < 3 ? 0 : kept);
+  std::swap(this->Sides, this->Clipped);
+}
+
+/**
+ * A line through a leftmost vertex, and three far enough from the others that no vertex is on them:
+ * three lines through one point take exact numbers to tell.
+ */
+void PolygonKernelFinder::Start(
+  const Point2& leftmost, std::size_t size, const Point2& low, const Point2& high)
+{
+  const Point2 margin = high - low;
+  const double right = high.x + margin.x;
+  const Point2 corners[] = { { low.x, high.y + margin.y }, { low.x, low.y - margin.y },
+    { right, low.y - margin.y }, { right, high.y + margin.y } };
+  this->Lines.clear();
+  for (std::size_t i = 0; i < 4; ++i)
   {
-    this->Kernel.clear();
+    const std::size_t next = (i + 1) % 4;
+    this->Lines.push_back({ corners[i], corners[next], next, (i + 3) % 4, corners[next], true });
   }
-  return !this->Kernel.empty();
+  this->Lines[0].To = leftmost;
+  this->First = 0;
+  this->Last = 0;
+  // Seen from a point of the kernel the boundary goes round once, and what a vertex sees less than
+  // one and a half times: so no end of a line is passed more than twice.
+  this->Steps = 4 * (4 + 2 * size);
+}
+
+/** False if nothing is left. */
+bool PolygonKernelFinder::CutAll(PolygonView polygon, std::size_t first)
+{
+  const std::size_t size = polygon.size();
+  Point2 before = this->Lines[0].From;
+  Point2 from = polygon[first];
+  bool isFirst = true;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    ++first;
+    first = first == size ? 0 : first;
+    const Point2 to = polygon[first];
+    if (to == from)
+    {
+      continue;
+    }
+    const int turn = isFirst ? 1 : Orientation(before, from, to); // from the left side of the box
+    if (turn == 0 ? Dot(from - before, to - from) < 0.0
+                  : !this->Cut(from, to, turn > 0))
+    {
+      return false;
+    }
+    if (!this->Move(to))
+    {
+      return false;
+    }
+    isFirst = false;
+    before = from;
+    from = to;
+  }
+  return true;
+}
+
+/** Cuts off what is to the right of a line through the last vertex. False if nothing is left. */
+bool PolygonKernelFinder::Cut(const Point2& from, const Point2& to, bool left)
+{
+  const Line cut = { from, to, 0, 0, {}, false };
+  // What lies to the right begins at the end of what the vertex sees.
+  const std::size_t start = left ? this->Last : this->Lines[this->First].Previous;
+  if (this->SideOfEnd(start, cut) >= 0)
+  {
+    return true;
+  }
+  std::size_t before = start;
+  while (this->SideOfEnd(this->Lines[before].Previous, cut) <= 0)
+  {
+    before = this->Lines[before].Previous;
+    if (before == this->Lines[start].Next)
+    {
+      return false;
+    }
+  }
+  std::size_t after = this->Lines[start].Next;
+  while (this->SideOfEnd(after, cut) <= 0)
+  {
+    after = this->Lines[after].Next;
+  }
+  const std::size_t added = this->Lines.size();
+  this->Lines.push_back(cut);
+  this->Join(before, added);
+  this->Join(added, after);
+  (left ? this->Last : this->First) = added;
+  return true;
+}
+
+/** Puts one line after another, and their intersection where that is a point as given. */
+void PolygonKernelFinder::Join(std::size_t before, std::size_t after)
+{
+  Line& a = this->Lines[before];
+  Line& b = this->Lines[after];
+  a.Next = after;
+  b.Previous = before;
+  a.IsEndExact = true;
+  if (a.To == b.From)
+  {
+    a.End = a.To;
+  }
+  else if (a.From == b.To) // around a reflex vertex
+  {
+    a.End = a.From;
+  }
+  else if (a.From.x == a.To.x && b.From.y == b.To.y)
+  {
+    a.End = { a.From.x, b.From.y };
+  }
+  else if (a.From.y == a.To.y && b.From.x == b.To.x)
+  {
+    a.End = { b.From.x, a.From.y };
+  }
+  else
+  {
+    a.IsEndExact = false;
+  }
+}
+
+/** On which side of a cut a line meets the next. */
+int PolygonKernelFinder::SideOfEnd(std::size_t line, const Line& cut) const
+{
+  const Line& a = this->Lines[line];
+  if (a.IsEndExact)
+  {
+    const bool isOn = a.End == cut.From || a.End == cut.To; // known without exact numbers
+    return isOn ? 0 : Orientation(cut.From, cut.To, a.End);
+  }
+  const Line& b = this->Lines[a.Next];
+  return OrientationOfIntersection(cut.From, cut.To, a.From, a.To, b.From, b.To);
+}
+
+/** Along the last line: what is seen of the rest goes round counter-clockwise. */
+bool PolygonKernelFinder::Move(const Point2& vertex)
+{
+  const auto SideOf = [&](std::size_t index)
+  {
+    const Line& line = this->Lines[index];
+    const bool isOn = vertex == line.From || vertex == line.To;
+    return isOn ? 0 : Orientation(line.From, line.To, vertex);
+  };
+  while (SideOf(this->Lines[this->Last].Next) <= 0)
+  {
+    this->Last = this->Lines[this->Last].Next;
+    if (this->Steps-- == 0)
+    {
+      return false;
+    }
+  }
+  while (this->First != this->Last && SideOf(this->First) > 0)
+  {
+    this->First = this->Lines[this->First].Next;
+    if (this->Steps-- == 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/** The lines that are left as sides, less those that are parallel to the one before to rounding. */
+void PolygonKernelFinder::Collect(const Point2& origin)
+{
+  constexpr double Rounding = 1e-15;
+  std::size_t line = this->Last;
+  do
+  {
+    const Line& a = this->Lines[line];
+    const Line& b = this->Lines[a.Next];
+    const Point2 along = a.To - a.From;
+    const Point2 direction = b.To - b.From;
+    const double left = along.x * direction.y;
+    const double right = along.y * direction.x;
+    if (a.IsEndExact)
+    {
+      this->Sides.push_back({ a.End - origin, direction });
+    }
+    else if (left - right > Rounding * (std::abs(left) + std::abs(right)))
+    {
+      const double fraction = Cross(b.From - a.From, direction) / (left - right);
+      const Point2 from = a.From - origin;
+      this->Sides.push_back(
+        { { from.x + fraction * along.x, from.y + fraction * along.y }, direction });
+    }
+    line = a.Next;
+  } while (line != this->Last);
+}
+
+double PolygonKernelFinder::GetArea() const
+{
+  double sum = 0.0;
+  for (std::size_t i = 1; i + 1 < this->Sides.size(); ++i)
+  {
+    const Point2& origin = this->Sides[0].Start;
+    sum += Cross(this->Sides[i].Start - origin, this->Sides[i + 1].Start - origin);
+  }
+  return std::max(0.0, 0.5 * sum);
 }
 
 std::vector<Point2> PolygonKernel(PolygonView polygon)
 {
-  PolygonKernelClipper clipper;
-  std::vector<Point2> kernel = clipper.Clip(polygon);
-  for (Point2& point : kernel)
-  {
-    point = { point.x + polygon[0].x, point.y + polygon[0].y };
-  }
   if (polygon.size() >= 3 && IsConvex(polygon))
   {
-    kernel.assign(polygon.begin(), polygon.end()); // to the bit
+    return { polygon.begin(), polygon.end() }; // to the bit
+  }
+  PolygonKernelFinder finder;
+  std::vector<Point2> kernel;
+  for (const PolygonKernelFinder::Side& side : finder.Find(polygon, false))
+  {
+    kernel.push_back(side.Start + polygon[0]);
   }
   return kernel;
 }

@@ -1,17 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The kernel of a polygon: the points that see all of it.
+ * The kernel of a polygon, the points that see all of it, in linear time.
  *
- * The kernel is the intersection of the half planes to the left of the edges (D. T. Lee,
- * F. P. Preparata, An optimal algorithm for finding the kernel of a polygon, J. ACM 26 (1979)
- * 415-421). Here the half planes clip the bounding box one by one: O(n k) for a kernel of k
- * vertices, faster than the linear algorithm up to some hundreds of vertices, and without its
- * special cases. A convex polygon is its own kernel, exactly.
+ * D. T. Lee, F. P. Preparata, An optimal algorithm for finding the kernel of a polygon, J. ACM 26
+ * (1979) 415-421. The half planes to the left of the edges are cut off one after the other, in the
+ * order of the boundary. As every vertex is on the line of the edge before, it is never inside of
+ * what is left, and only what it sees of that at its right (after a left turn) or at its left
+ * (after a right turn) can be cut first. What it sees goes round counter-clockwise as the boundary
+ * does, at most twice if there is a kernel. Two changes to the paper: the cutting begins with a
+ * box, at a leftmost vertex, so that nothing is ever unbounded; and the chain consists of
+ * lines, its vertices being their intersections, so that every decision is the sign of a polynomial
+ * in the coordinates as given, and is exact (see Predicates.h).
  *
- * Accuracy: every line has the direction of its edge as given, however short that is, so the area
- * is within 1e-14 of the square of the diameter. Straight and repeated vertices clip nothing. A
- * kernel without an area may be returned as fewer than three points, or as some on one line.
+ * So a kernel is found if and only if it has an area, exactly: one point, or a part of a line, that
+ * sees the whole polygon is not a kernel here. A convex polygon is its own kernel, to the bit.
+ * Accuracy: only the vertices of the answer are rounded; its area is within 1e-14 of the square of
+ * the diameter. Straight and repeated vertices change nothing. Cost: O(n), measured as about that
+ * of the interior angles twice.
  */
 #ifndef pemesh_PolygonKernel_h
 #define pemesh_PolygonKernel_h
@@ -19,27 +25,66 @@
 #include "Point2.h"
 #include "pemeshFiltersGeometryModule.h" // For export macro
 
+#include <cstddef>
 #include <vector>
 
 namespace pemesh
 {
 
-/** Clips with buffers of its own, so that a loop over elements allocates nothing. */
-class PEMESHFILTERSGEOMETRY_EXPORT PolygonKernelClipper
+/** Has buffers of its own, so that a loop over elements allocates nothing. */
+class PEMESHFILTERSGEOMETRY_EXPORT PolygonKernelFinder
 {
 public:
+  /** A line that bounds the kernel: that of an edge, or of a straight chain of them. */
+  struct Side
+  {
+    Point2 Start;     // of the side; relative to the first vertex of the polygon
+    Point2 Direction; // of the edge, of any length but zero
+  };
+
+  ///@{
   /**
-   * The kernel of a counter-clockwise simple polygon, counter-clockwise, relative to the first
-   * vertex of the polygon (add it to place the kernel). Empty, or fewer than three vertices, or
-   * an area of zero, if the polygon is not star-shaped. Valid until the next call.
+   * The sides of the kernel of a counter-clockwise simple polygon, counter-clockwise; none if it is
+   * not star-shaped. Valid until the next call.
    */
-  const std::vector<Point2>& Clip(PolygonView polygon);
+  const std::vector<Side>& Find(PolygonView polygon);
+  const std::vector<Side>& Find(PolygonView polygon, bool convex);
+  ///@}
+
+  /** Area of the kernel found last. */
+  double GetArea() const;
+
+  /** Up to here clipping a box, O(n k) for k sides, is faster: it has fewer branches. */
+  static constexpr std::size_t FewVertices = 48;
 
 private:
-  bool ClipHalfPlane(const Point2& anchor, const Point2& direction);
+  void Clip(PolygonView polygon, const Point2& low, const Point2& high);
+  void ClipHalfPlane(const Point2& anchor, const Point2& direction);
 
-  std::vector<Point2> Kernel;
-  std::vector<Point2> Clipped;
+  struct Line
+  {
+    Point2 From;
+    Point2 To;
+    std::size_t Next; // the lines around what is left
+    std::size_t Previous;
+    Point2 End;      // where Next is met, if that is known without rounding
+    bool IsEndExact;
+  };
+
+  void Start(const Point2& leftmost, std::size_t size, const Point2& low, const Point2& high);
+  bool CutAll(PolygonView polygon, std::size_t first);
+  bool Cut(const Point2& from, const Point2& to, bool left);
+  bool Move(const Point2& vertex);
+  void Join(std::size_t before, std::size_t after);
+  int SideOfEnd(std::size_t line, const Line& cut) const;
+  void Collect(const Point2& origin);
+
+  std::vector<Line> Lines; // first those of a box
+  std::size_t First = 0;   // of the lines that have the vertex at their right or on them
+  std::size_t Last = 0;
+  std::size_t Steps = 0; // that these two may still go
+  std::vector<Side> Sides;
+  std::vector<Side> Clipped;
   std::vector<double> Heights;
 };
 

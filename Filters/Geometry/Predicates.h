@@ -42,6 +42,47 @@ inline int Orientation(const Point2& a, const Point2& b, const Point2& c)
   return ExactOrientation(a, b, c);
 }
 
+/** The exact stage of OrientationOfIntersection. */
+PEMESHFILTERSGEOMETRY_EXPORT int ExactOrientationOfIntersection(const Point2& a, const Point2& b,
+  const Point2& p, const Point2& q, const Point2& r, const Point2& s);
+
+/**
+ * Orientation(a, b, x) of the point x where the line from p to q meets that from r to s, which has
+ * to turn left of it: (q - p) x (s - r) > 0.
+ */
+inline int OrientationOfIntersection(const Point2& a, const Point2& b, const Point2& p,
+  const Point2& q, const Point2& r, const Point2& s)
+{
+  struct Product // of vectors, and what bounds its rounding
+  {
+    double Value;
+    double Size;
+    Product(double ux, double uy, double vx, double vy)
+      : Value(ux * vy - uy * vx)
+      , Size(Magnitude(ux * vy) + Magnitude(uy * vx))
+    {
+    }
+    static double Magnitude(double value) { return value < 0.0 ? -value : value; }
+  };
+  const Product height(b.x - a.x, b.y - a.y, p.x - a.x, p.y - a.y);
+  const Product rise(b.x - a.x, b.y - a.y, q.x - p.x, q.y - p.y);
+  const Product turn(q.x - p.x, q.y - p.y, s.x - r.x, s.y - r.y);
+  const Product along(r.x - p.x, r.y - p.y, s.x - r.x, s.y - r.y);
+  const double determinant = height.Value * turn.Value + along.Value * rise.Value;
+  // Every product of vectors is within 4 u of its size, u = 2^-53, so this is within 10 u.
+  constexpr double ErrorBound = 1.8e-15; // 16 u
+  const double error = ErrorBound * (height.Size * turn.Size + along.Size * rise.Size);
+  if (determinant > error && determinant > 1e-280)
+  {
+    return 1;
+  }
+  if (determinant < -error && determinant < -1e-280)
+  {
+    return -1;
+  }
+  return ExactOrientationOfIntersection(a, b, p, q, r, s);
+}
+
 } // namespace pemesh
 
 #endif

@@ -9,40 +9,6 @@
 namespace pemesh
 {
 
-void SmallLinearProgram::Clear()
-{
-  this->Groups.clear();
-  this->Size = 0;
-  this->Sides = 0;
-}
-
-void SmallLinearProgram::AddRow(const Row& row)
-{
-  const std::size_t k = this->Size % GroupSize;
-  if (k == 0)
-  {
-    this->Groups.emplace_back();
-    this->Groups.back().C.fill(std::numeric_limits<double>::infinity());
-  }
-  Group& group = this->Groups.back();
-  group.X[k] = row.X;
-  group.Y[k] = row.Y;
-  group.R[k] = row.R;
-  group.C[k] = row.C;
-  ++this->Size;
-}
-
-void SmallLinearProgram::AddSide(const Point2& outwardNormal, double offset)
-{
-  this->AddRow({ outwardNormal.x, outwardNormal.y, 0.0, offset });
-  ++this->Sides;
-}
-
-void SmallLinearProgram::AddBound(double height, const Point2& slope)
-{
-  this->AddRow({ -slope.x, -slope.y, 1.0, height });
-}
-
 std::array<std::ptrdiff_t, 3> SmallLinearProgram::GetActiveBounds() const
 {
   std::array<std::ptrdiff_t, 3> bounds{};
@@ -55,11 +21,12 @@ std::array<std::ptrdiff_t, 3> SmallLinearProgram::GetActiveBounds() const
 }
 
 /**
- * The lowest bound at the origin, and the two sides that meet where it is highest: the multipliers
- * of this basis are not negative, whatever the other rows.
+ * The lowest bound at the origin, and the two sides, or else bounds, that meet where it is highest:
+ * the multipliers of this basis are not negative, whatever the other rows.
  */
 bool SmallLinearProgram::StartBasis(Basis& basis) const
 {
+  const std::size_t around = this->Sides > 0 ? this->Sides : this->Size;
   std::size_t lowest = this->Sides;
   for (std::size_t i = this->Sides + 1; i < this->Size; ++i)
   {
@@ -67,15 +34,17 @@ bool SmallLinearProgram::StartBasis(Basis& basis) const
   }
   const Row low = this->GetRow(lowest);
   double best = -std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < this->Sides; ++i)
+  for (std::size_t i = 0; i < around; ++i)
   {
-    const std::size_t j = i + 1 == this->Sides ? 0 : i + 1;
+    const std::size_t j = i + 1 == around ? 0 : i + 1;
     const Row a = this->GetRow(i);
     const Row b = this->GetRow(j);
     const double inside = std::min(a.Y * low.X - a.X * low.Y, low.Y * b.X - low.X * b.Y);
-    if (inside > best)
+    // Of parallels to the lowest, those that meet in a corner.
+    const double score = inside + 1e-10 * (a.X * b.Y - a.Y * b.X);
+    if (score > best)
     {
-      best = inside;
+      best = score;
       basis.Rows = { i, j, lowest };
     }
   }
@@ -108,6 +77,8 @@ bool SmallLinearProgram::Factorize(Basis& basis) const
   {
     return false;
   }
+  constexpr double WellConditioned = 1e-4; // of rows of length one
+  basis.IsWellConditioned = std::abs(determinant) > WellConditioned;
   const double scale = 1.0 / determinant;
   for (std::size_t i = 0; i < 3; ++i)
   {
@@ -117,25 +88,56 @@ bool SmallLinearProgram::Factorize(Basis& basis) const
   return true;
 }
 
-std::size_t SmallLinearProgram::MostViolated(
-  const Basis& basis, Solution& solution, double tolerance) const
+/** Where the three planes of the basis meet. */
+SmallLinearProgram::Solution SmallLinearProgram::Meet(const Basis& basis) const
 {
-  const std::array<double, 3> c = { this->GetRow(basis.Rows[0]).C, this->GetRow(basis.Rows[1]).C,
-    this->GetRow(basis.Rows[2]).C };
-  const auto Product = [&](std::size_t i)
-  { return basis.Inverse[i][0] * c[0] + basis.Inverse[i][1] * c[1] + basis.Inverse[i][2] * c[2]; };
-  const double x = Product(0);
-  const double y = Product(1);
-  const double r = Product(2);
-  solution.Position = { x, y };
-  solution.Height = r;
+  const std::array<Row, 3> rows = { this->GetRow(basis.Rows[0]), this->GetRow(basis.Rows[1]),
+    this->GetRow(basis.Rows[2]) };
+  std::array<double, 3> residual = { rows[0].C, rows[1].C, rows[2].C };
+  std::array<double, 3> place{};
+  // Among almost parallel planes the inverse has lost digits, which refinement brings back.
+  const int rounds = basis.IsWellConditioned ? 1 : 3;
+  for (int round = 0; round < rounds; ++round)
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const std::array<double, 3>& inverse = basis.Inverse[i];
+      place[i] += inverse[0] * residual[0] + inverse[1] * residual[1] + inverse[2] * residual[2];
+    }
+    for (std::size_t i = 0; i < 3 && round + 1 < rounds; ++i)
+    {
+      const Row& row = rows[i];
+      residual[i] = row.C - (row.X * place[0] + row.Y * place[1] + row.R * place[2]);
+    }
+  }
+  return { { place[0], place[1] }, place[2], false };
+}
+
+double SmallLinearProgram::HeightAt(const Point2& position) const
+{
+  double height = std::numeric_limits<double>::infinity();
+  for (std::size_t i = this->Sides; i < this->Size; ++i)
+  {
+    const Row row = this->GetRow(i);
+    height = std::min(height, row.C - (row.X * position.x + row.Y * position.y));
+  }
+  return height;
+}
+
+std::size_t SmallLinearProgram::MostViolated(const Solution& solution, double tolerance) const
+{
+  const double x = solution.Position.x;
+  const double y = solution.Position.y;
+  const double r = solution.Height;
   // The worst row of each place in its group, without branches: which it is cannot be foreseen.
   std::array<double, GroupSize> worst;
   std::array<double, GroupSize> where{};
   worst.fill(tolerance);
   double number = 0.0;
-  for (const Group& group : this->Groups)
+  const std::size_t groups = (this->Size + GroupSize - 1) / GroupSize;
+  for (std::size_t g = 0; g < groups; ++g)
   {
+    const Group& group = this->Groups[g];
     for (std::size_t k = 0; k < GroupSize; ++k)
     {
       const double violation = group.X[k] * x + group.Y[k] * y + group.R[k] * r - group.C[k];
@@ -184,7 +186,7 @@ SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance, double 
 {
   Solution solution;
   solution.Height = std::numeric_limits<double>::infinity();
-  if (this->Sides < 3 || this->Size <= this->Sides ||
+  if ((this->Sides == 0 ? this->Size < 3 : this->Sides < 3 || this->Size <= this->Sides) ||
     (!this->IsLastBasisFeasible() && !this->StartBasis(this->Last)))
   {
     this->HasBasis = false;
@@ -196,7 +198,8 @@ SmallLinearProgram::Solution SmallLinearProgram::Solve(double tolerance, double 
   const std::size_t steps = 30 + this->Size;
   for (std::size_t step = 0; step < steps; ++step)
   {
-    const std::size_t entering = this->MostViolated(basis, solution, tolerance);
+    solution = this->Meet(basis);
+    const std::size_t entering = this->MostViolated(solution, tolerance);
     if (entering == this->Size)
     {
       solution.Optimal = true;

@@ -17,6 +17,7 @@
 
 #include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace pemesh
@@ -36,19 +37,34 @@ public:
   void ForgetBasis() { this->HasBasis = false; }
 
   /** Forgets region and bounds, for similar ones in the same order unless ForgetBasis is called. */
-  void Clear();
+  void Clear()
+  {
+    this->Size = 0;
+    this->Sides = 0;
+  }
 
   /** The sides of the region, counter-clockwise: normal . p <= offset, normal of length one. */
-  void AddSide(const Point2& outwardNormal, double offset);
+  void AddSide(const Point2& outwardNormal, double offset)
+  {
+    this->AddRow({ outwardNormal.x, outwardNormal.y, 0.0, offset });
+    ++this->Sides;
+  }
 
   /** r <= height + slope . p. Add all sides first. */
-  void AddBound(double height, const Point2& slope);
+  void AddBound(double height, const Point2& slope)
+  {
+    this->AddRow({ -slope.x, -slope.y, 1.0, height });
+  }
 
   /**
    * Solves to within `tolerance` (absolute, in r). Stops, not optimal, as soon as the optimum is
-   * known to be at most `enough`. Needs three sides and one bound.
+   * known to be at most `enough`. Needs three sides and one bound; or no side and three bounds,
+   * the slopes in counter-clockwise order and not all in one half plane.
    */
   Solution Solve(double tolerance, double enough);
+
+  /** The lowest bound at a place. */
+  double HeightAt(const Point2& position) const;
 
   /** The bounds that meet in the last optimum, in the order added; negative for sides. */
   std::array<std::ptrdiff_t, 3> GetActiveBounds() const;
@@ -66,6 +82,7 @@ private:
     std::array<std::size_t, 3> Rows;
     std::array<double, 3> Multipliers;
     std::array<std::array<double, 3>, 3> Inverse;
+    bool IsWellConditioned;
   };
 
   static constexpr std::size_t GroupSize = 4;
@@ -83,14 +100,34 @@ private:
     const std::size_t k = i % GroupSize;
     return { group.X[k], group.Y[k], group.R[k], group.C[k] };
   }
-  void AddRow(const Row& row);
+  void AddRow(const Row& row)
+  {
+    const std::size_t group = this->Size / GroupSize;
+    const std::size_t k = this->Size % GroupSize;
+    if (group == this->Groups.size())
+    {
+      this->Groups.emplace_back();
+    }
+    Group& rows = this->Groups[group];
+    if (k == 0)
+    {
+      rows = {};
+      rows.C.fill(std::numeric_limits<double>::infinity());
+    }
+    rows.X[k] = row.X;
+    rows.Y[k] = row.Y;
+    rows.R[k] = row.R;
+    rows.C[k] = row.C;
+    ++this->Size;
+  }
   bool StartBasis(Basis& basis) const;
   bool IsLastBasisFeasible();
   bool Factorize(Basis& basis) const;
-  std::size_t MostViolated(const Basis& basis, Solution& solution, double tolerance) const;
+  Solution Meet(const Basis& basis) const;
+  std::size_t MostViolated(const Solution& solution, double tolerance) const;
   bool Exchange(Basis& basis, std::size_t entering) const;
 
-  std::vector<Group> Groups; // the last one is filled up with rows that hold everywhere
+  std::vector<Group> Groups; // the last one in use is filled up with rows that hold everywhere
   std::size_t Size = 0;
   std::size_t Sides = 0;
   Basis Last;

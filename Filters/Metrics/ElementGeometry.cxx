@@ -28,6 +28,7 @@ bool ElementGeometry::SetVertices(PolygonView vertices)
 {
   this->Computed = 0;
   this->HasSides = false;
+  this->Kernel = nullptr;
   return vertices.size() == 3 ? this->SetTriangle(vertices) : this->SetPolygon(vertices);
 }
 
@@ -182,18 +183,30 @@ void ElementGeometry::ComputeInscribedRadius()
     : this->CircleFinder.Find(this->Vertices, this->Convex).Radius;
 }
 
+const std::vector<PolygonKernelFinder::Side>& ElementGeometry::GetKernel()
+{
+  if (!this->Kernel)
+  {
+    this->Kernel = &this->KernelFinder.Find(this->Vertices, this->Convex);
+  }
+  return *this->Kernel;
+}
+
 void ElementGeometry::ComputeKernelArea()
 {
   // The kernel of a convex element is the element, and the ratio has to be one exactly.
-  this->KernelArea = this->Convex
-    ? this->GetArea()
-    : std::clamp(SignedArea(this->KernelClipper.Clip(this->Vertices)), 0.0, this->GetArea());
+  this->KernelArea = this->GetArea();
+  if (!this->Convex)
+  {
+    this->GetKernel();
+    this->KernelArea = std::min(this->KernelArea, this->KernelFinder.GetArea());
+  }
 }
 
 void ElementGeometry::ComputeKernelRadius()
 {
   this->KernelRadius = this->Convex ? this->GetInscribedRadius()
-                                    : this->CircleFinder.FindInKernel(this->Vertices).Radius;
+                                    : this->CircleFinder.FindInKernel(this->GetKernel()).Radius;
 }
 
 /** All corners of a triangle have the same cross product, so that the largest edges decide. */

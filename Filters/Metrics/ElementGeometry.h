@@ -132,6 +132,7 @@ private:
   void ComputeDistances();
   void ComputeEnclosingRadius();
   void ComputeInscribedRadius();
+  const std::vector<PolygonKernelFinder::Side>& GetKernel();
   void ComputeKernelArea();
   void ComputeKernelRadius();
   void ComputeCorners();
@@ -144,6 +145,7 @@ private:
   bool Convex = false;
   unsigned int Computed = 0;
   bool HasSides = false;
+  const std::vector<PolygonKernelFinder::Side>* Kernel = nullptr;
   TriangleSides Sides;
 
   double Area = 0.0;
@@ -160,7 +162,7 @@ private:
   double BoxArea = 0.0;
   StiffnessMeasures Stiffness;
 
-  PolygonKernelClipper KernelClipper;
+  PolygonKernelFinder KernelFinder;
   InscribedCircleFinder CircleFinder;
 };
 

@@ -110,7 +110,7 @@ constexpr MeshKind MeshKinds[] = {
 struct Buffers
 {
   pemesh::InscribedCircleFinder CircleFinder;
-  pemesh::PolygonKernelClipper KernelClipper;
+  pemesh::PolygonKernelFinder KernelFinder;
 };
 
 struct KernelCost
@@ -149,7 +149,12 @@ constexpr KernelCost Kernels[] = {
   { "enclosing circle",
     [](PolygonView p, Buffers&) { return pemesh::SmallestEnclosingCircle(p).Radius; }, All },
   { "kernel area",
-    [](PolygonView p, Buffers& b) { return pemesh::SignedArea(b.KernelClipper.Clip(p)); }, All },
+    [](PolygonView p, Buffers& b)
+    {
+      b.KernelFinder.Find(p);
+      return b.KernelFinder.GetArea();
+    },
+    All },
   { "circle in the kernel",
     [](PolygonView p, Buffers& b) { return b.CircleFinder.FindInKernel(p).Radius; }, All },
   { "inscribed circle", [](PolygonView p, Buffers& b) { return b.CircleFinder.Find(p).Radius; },
