@@ -145,7 +145,8 @@ void PlotAxes::LayOutHeights(const Box& box, const PlotMargins& least)
   double below = 0.3 * em;
   if (this->Plot.X.HasLabels)
   {
-    this->FittedXTitle = this->Painter.Fit(this->Plot.X.Title, box.Width, 2, titles);
+    // Half an em on either side keeps it from the title of a neighbour.
+    this->FittedXTitle = this->Painter.Fit(this->Plot.X.Title, box.Width - em, 2, titles);
     below = (TickLength + TickGap) * em + this->XLabelHeight +
       (this->FittedXTitle.empty()
           ? 0.0
