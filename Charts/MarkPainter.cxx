@@ -323,7 +323,12 @@ void MarkPainter::DrawMarkers(const ChartSeries& series)
   const double size = this->MarkerSize(series);
   const int shape = MarkerOf(this->Painter, this->Plot, series);
   constexpr std::size_t many = 300; // where edges would be most of what is seen
-  const bool edges = series.Edged && this->Painter.Style().MarkerEdges && series.X.size() <= many;
+  std::size_t all = 0;
+  for (const ChartSeries& each : this->Plot.AllSeries)
+  {
+    all += each.OfRows ? each.X.size() : 0;
+  }
+  const bool edges = series.Edged && this->Painter.Style().MarkerEdges && all <= many;
   // In a file every marker has its edge above its neighbours; in a window a call a marker is slow.
   vtkContextDevice2D* device = this->Painter.Context()->GetDevice();
   const bool oneByOne = vtkPEMCairoContextDevice2D::SafeDownCast(device) != nullptr;
