@@ -291,13 +291,13 @@ AxisRange PadLinearRange(double low, double high)
   {
     return {};
   }
-  constexpr double limit = 1e300; // so that differences are finite
+  constexpr double limit = 8e307; // so that differences are finite
   low = std::clamp(low, -limit, limit);
   high = std::clamp(high, -limit, limit);
   const double size = std::max(std::fabs(low), std::fabs(high));
   const double span = high - low;
   // Below this the ticks could not be told apart: the values count as one.
-  if (span <= 1e-11 * size || span < 1e-290)
+  if (span <= 1e-11 * size || span < 1e-304)
   {
     const double half = size < 1e-280 ? 1.0 : 0.1 * size;
     const double middle = 0.5 * low + 0.5 * high;

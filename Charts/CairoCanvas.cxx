@@ -82,6 +82,18 @@ std::string Rounded(double value)
   return FormatNumber(rounded == 0.0 ? 0.0 : rounded);
 }
 
+std::string HexColor(const double color[3])
+{
+  constexpr const char* digits = "0123456789abcdef";
+  std::string text = "#";
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const long byte = std::lround(255.0 * std::clamp(color[channel], 0.0, 1.0));
+    text += { digits[byte / 16], digits[byte % 16] };
+  }
+  return text;
+}
+
 std::uint32_t Crc32(std::string_view bytes)
 {
   std::uint32_t crc = 0xFFFFFFFFu;
@@ -244,20 +256,19 @@ void CairoCanvas::RecordText(
   double x, double y, const std::string& line, const CanvasTextStyle& style)
 {
   constexpr const char* anchors[] = { "start", "middle", "end" };
-  const auto percent = [](double part) { return Rounded(100.0 * part) + "%"; };
+  const std::string left = Rounded(x / this->Units);
+  const std::string top = Rounded(this->Height - y / this->Units);
   std::string& text = this->SvgText;
-  text += "<text transform=\"translate(" + Rounded(x / this->Units) + " " +
-    Rounded(this->Height - y / this->Units) + ")";
-  if (style.Angle != 0.0)
-  {
-    text += " rotate(" + Rounded(-style.Angle) + ")";
-  }
-  text += "\" font-size=\"" + Rounded(style.Size / this->Units) + "\"";
+  text += style.Angle == 0.0 ? "<text x=\"" + left + "\" y=\"" + top + "\""
+                             : "<text transform=\"translate(" + left + " " + top + ") rotate(" +
+      Rounded(-style.Angle) + ")\"";
+  text += " font-size=\"" + Rounded(style.Size / this->Units) + "\"";
   text += style.Family != FontFamily ? " font-family=\"" + EscapeXml(style.Family) + "\"" : "";
   text += style.Bold ? " font-weight=\"bold\"" : "";
-  text += std::string(" text-anchor=\"") + anchors[style.Horizontal + 1] + "\"";
-  text += " fill=\"rgb(" + percent(style.Color[0]) + "," + percent(style.Color[1]) + "," +
-    percent(style.Color[2]) + ")\"";
+  text += style.Horizontal < 0
+    ? ""
+    : std::string(" text-anchor=\"") + anchors[style.Horizontal + 1] + "\"";
+  text += " fill=\"" + HexColor(style.Color) + "\"";
   text += style.Color[3] < 1.0 ? " fill-opacity=\"" + Rounded(style.Color[3]) + "\"" : "";
   text += ">" + EscapeXml(line) + "</text>\n";
 }
@@ -297,7 +308,7 @@ std::string CairoCanvas::Finish()
     if (head != std::string::npos && end != std::string::npos)
     {
       const std::string group =
-        "<g font-family=\"'DejaVu Sans', Verdana, sans-serif\" xml:space=\"preserve\">\n" +
+        "<g font-family=\"DejaVu Sans, Verdana, sans-serif\" xml:space=\"preserve\">\n" +
         this->SvgText + "</g>\n";
       this->Stream.insert(end, group);
       if (!this->Title.empty())

@@ -159,14 +159,15 @@ void ChartPainter::LayOutPlots(const Box& box)
   const auto columns =
     std::clamp(static_cast<std::size_t>(this->Picture.Columns), std::size_t{ 1 }, count);
   const std::size_t rows = (count + columns - 1) / columns;
-  const double gap = this->Picture.IsMatrix ? 0.0 : 0.5 * this->Em;
+  const double gap = (this->Picture.IsMatrix ? 0.9 : 0.5) * this->Em; // for the last labels
+  const double gapBelow = (this->Picture.IsMatrix ? 0.2 : 0.5) * this->Em;
   std::vector<PlotMargins> across(columns);
   std::vector<PlotMargins> down(rows);
   // Which labels fit depends on the size of the plots, and that on the labels.
   for (int pass = 0; pass < 3; ++pass)
   {
     double width = box.Width - gap * static_cast<double>(columns - 1);
-    double height = box.Height - gap * static_cast<double>(rows - 1);
+    double height = box.Height - gapBelow * static_cast<double>(rows - 1);
     for (const PlotMargins& margins : across)
     {
       width -= margins.Left + margins.Right;
@@ -189,7 +190,7 @@ void ChartPainter::LayOutPlots(const Box& box)
           { across[column].Left, across[column].Right, down[row].Bottom, down[row].Top });
         left += cellWidth + gap;
       }
-      top -= cellHeight + gap;
+      top -= cellHeight + gapBelow;
     }
     for (std::size_t i = 0; i < count; ++i)
     {
@@ -218,8 +219,8 @@ void ChartPainter::DrawPlot(std::size_t index)
   device->EnableClipping(false);
   axes.DrawAxes();
   const std::string message = !plot.Message.empty() ? plot.Message
-    : plot.IsEmpty                                  ? "no values to draw"
-                                                    : "";
+    : plot.IsEmpty ? (area.Width < 8.0 * this->Em ? "no values" : "no values to draw")
+                   : "";
   if (!message.empty())
   {
     PanelText style;

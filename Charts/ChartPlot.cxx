@@ -189,9 +189,12 @@ void FinishPlot(ChartPlot& plot)
   Extent values;
   const auto addValue = [&](double value)
   { values.Add(plot.LogColor && !(value > 0.0) ? NoValue : value); };
+  long colourless = 0;
   for (const ChartSeries& series : plot.AllSeries)
   {
     std::for_each(series.Values.begin(), series.Values.end(), addValue);
+    colourless += std::count_if(series.Values.begin(), series.Values.end(),
+      [&plot](double value) { return !std::isfinite(value) || (plot.LogColor && value <= 0.0); });
   }
   for (const ChartBar& bar : plot.Bars)
   {
@@ -200,6 +203,11 @@ void FinishPlot(ChartPlot& plot)
   plot.Values = { values.Low, values.High };
   plot.Remarks.clear();
   RemarkOnConstants(plot, x, y, plot.Remarks);
+  if (colourless > 0)
+  {
+    plot.Remarks.push_back("Grey: " + Count(colourless, "of " + plot.ColorTitle) +
+      (plot.LogColor ? " undefined, infinite or not positive." : " undefined or infinite."));
+  }
   plot.IsEmpty = std::isnan(y.Low);
   plot.X.Range = RangeOf(plot.X, x);
   plot.Y.Range = RangeOf(plot.Y, y);

@@ -70,6 +70,10 @@ std::vector<double> ReadNumbers(vtkTable* table, const std::string& name)
     return numbers;
   }
   auto* column = vtkDataArray::SafeDownCast(FindColumn(table, name));
+  if (!column && table->GetNumberOfRows() == 0)
+  {
+    return {}; // which a file without rows does not tell from numbers
+  }
   if (!column)
   {
     throw std::runtime_error(

@@ -4,6 +4,11 @@
 
 #include "AxisTicks.h"
 
+#include <vtkContext2D.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRect.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -107,14 +112,19 @@ void DrawColorBar(
   const Box bar = { left, box.Y, BarWidth * em, BarHeight(painter, ticks, box.Height) };
   painter.Text(bar.X, bar.Top() + 0.75 * em, ticks.Multiplier, TickStyle());
 
-  // Each strip reaches to the top and is covered by the next: no seams.
-  constexpr int strips = 128;
-  for (int i = 0; i < strips; ++i)
+  constexpr int levels = 256;
+  vtkNew<vtkImageData> colors;
+  colors->SetDimensions(1, levels, 1);
+  colors->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
+  auto* bytes = static_cast<unsigned char*>(colors->GetScalarPointer());
+  for (int i = 0; i < levels; ++i)
   {
-    const double start = bar.Height * i / strips;
-    painter.FillRectangle({ bar.X, bar.Y + start, bar.Width, bar.Height - start },
-      MapColor(*scale.Map, (i + 0.5) / strips));
+    const ChartColor color = MapColor(*scale.Map, (i + 0.5) / levels);
+    bytes = std::copy(color.begin(), color.end(), bytes);
   }
+  painter.Context()->DrawImage(vtkRectf(static_cast<float>(bar.X), static_cast<float>(bar.Y),
+                                 static_cast<float>(bar.Width), static_cast<float>(bar.Height)),
+    colors);
   std::vector<float> frame;
   for (const auto& [x, y] : { std::pair{ bar.X, bar.Y }, { bar.Right(), bar.Y },
          { bar.Right(), bar.Top() }, { bar.X, bar.Top() }, { bar.X, bar.Y } })

@@ -131,6 +131,10 @@ ChartColor MixColors(const ChartColor& from, const ChartColor& to, double part)
 
 double ColorScale::PlaceOf(double value) const
 {
+  if (std::isinf(value))
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
   if (this->Logarithmic)
   {
     if (!(value > 0.0))

@@ -75,7 +75,7 @@ struct ColorScale
   double High = 1.0;
   bool Logarithmic = false;
 
-  /** From 0 to 1, or NaN for what has no place: NaN, and on a logarithmic scale not positive. */
+  /** From 0 to 1, or NaN for what has no place: not finite, on a logarithmic scale not positive. */
   PEMESHCHARTS_EXPORT double PlaceOf(double value) const;
   /** The inverse. */
   PEMESHCHARTS_EXPORT double ValueAt(double place) const;

@@ -62,6 +62,15 @@ void AddTriangle(const CurveFit& fit, const Stretch& stretch, int style, ChartPl
   plot.Texts.push_back({ std::sqrt(left * right), foot, "1", 0, 1 });
 }
 
+/** False where the meshes come in no order of size: a line through them would go to and fro. */
+bool IsRefinement(const std::vector<double>& sizes)
+{
+  std::vector<double> known;
+  std::copy_if(sizes.begin(), sizes.end(), std::back_inserter(known),
+    [](double size) { return std::isfinite(size); });
+  return std::is_sorted(known.begin(), known.end()) || std::is_sorted(known.rbegin(), known.rend());
+}
+
 } // namespace
 
 ChartPicture MakeConvergencePlot(const ChartRequest& request)
@@ -73,6 +82,7 @@ ChartPicture MakeConvergencePlot(const ChartRequest& request)
   ChartPlot& plot = picture.Plots[0];
   for (ChartSeries& series : plot.AllSeries)
   {
+    series.Joined = series.Joined && IsRefinement(series.X);
     const Stretch stretch = StretchOf(request.Options, series);
     const auto fit = FitCurve(CurveForm::Power, stretch.X, stretch.Y);
     if (!fit)

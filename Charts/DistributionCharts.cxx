@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -229,6 +230,16 @@ void AddViolin(const ChartRequest& request, const Batch& batch, double most,
   plot.Shapes.push_back(std::move(shape));
 }
 
+/** The only value of a column that has several of it; nothing for any other column. */
+std::optional<double> OnlyValue(std::vector<double> column)
+{
+  std::erase_if(column, [](double value) { return !std::isfinite(value); });
+  const bool isConstant = column.size() > 1 &&
+    std::all_of(
+      column.begin(), column.end(), [&](double value) { return value == column.front(); });
+  return isConstant ? std::optional(column.front()) : std::nullopt;
+}
+
 void FinishDistribution(const ChartRequest& request, ChartPlot&& plot, ChartPicture& picture)
 {
   // FinishPlot would count once more what was counted for the batches.
@@ -239,6 +250,14 @@ void FinishDistribution(const ChartRequest& request, ChartPlot&& plot, ChartPict
   finished.Undefined = counts[0];
   finished.Infinite = counts[1];
   finished.NotPositive = counts[2];
+  for (const ChartRequest::Series& series : request.AllSeries)
+  {
+    if (const auto value = OnlyValue(ReadNumbers(request.Table, series.Line)))
+    {
+      finished.Remarks.push_back(
+        "All values of " + request.LabelOf(series) + " are " + ReadableNumber(*value) + ".");
+    }
+  }
 }
 
 } // namespace

@@ -156,23 +156,35 @@ void MarkPainter::DrawBar(const ChartBar& bar)
     outline.push_back(static_cast<float>(y));
   }
   this->Painter.Poly(outline, highlighted ? 0.18 : bar.Pale ? 0.12 : 0.05, line);
-  PanelText text;
-  text.Horizontal = 0;
-  text.Size = 0.72;
-  const bool dark = 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2] < 140.0 && !bar.Pale;
-  text.Ink = dark ? ChartColor{ 255, 255, 255, 254 } : ChartColor{ 34, 34, 34, 254 };
-  if (bar.Text.empty())
+  if (bar.Text.empty() || this->BarTextSize == 0.0)
   {
     return;
   }
-  // Smaller where the box is narrow, as long as it can be read.
-  constexpr double least = 0.5;
-  const double width = this->Painter.TextWidth(bar.Text, text);
-  text.Size *= std::min(1.0, 0.9 * box.Width / width);
-  if (text.Size >= least && box.Height > text.Size * LineSpacing * this->Em)
+  PanelText text;
+  text.Horizontal = 0;
+  text.Size = this->BarTextSize;
+  const bool dark = 0.3 * color[0] + 0.59 * color[1] + 0.11 * color[2] < 140.0 && !bar.Pale;
+  text.Ink = dark ? ChartColor{ 255, 255, 255, 254 } : ChartColor{ 34, 34, 34, 254 };
+  this->Painter.Text(box.MiddleX(), box.MiddleY(), bar.Text, text);
+}
+
+double MarkPainter::FindBarTextSize() const
+{
+  constexpr double usual = 0.72;
+  constexpr double least = 0.5; // smaller cannot be read
+  PanelText text;
+  text.Size = usual;
+  double size = usual;
+  for (const ChartBar& bar : this->Plot.Bars)
   {
-    this->Painter.Text(box.MiddleX(), box.MiddleY(), bar.Text, text);
+    if (!bar.Text.empty())
+    {
+      const Box box = this->DeviceBox(bar);
+      size = std::min({ size, usual * 0.9 * box.Width / this->Painter.TextWidth(bar.Text, text),
+        box.Height / (LineSpacing * this->Em) });
+    }
   }
+  return size >= least ? size : 0.0;
 }
 
 void MarkPainter::DrawShape(const ChartShape& shape)
@@ -311,7 +323,12 @@ void MarkPainter::DrawMarkers(const ChartSeries& series)
   const double size = this->MarkerSize(series);
   const int shape = MarkerOf(this->Painter, this->Plot, series);
   constexpr std::size_t many = 300; // where edges would be most of what is seen
-  const bool edges = series.Edged && this->Painter.Style().MarkerEdges && series.X.size() <= many;
+  std::size_t all = 0;
+  for (const ChartSeries& each : this->Plot.AllSeries)
+  {
+    all += each.OfRows ? each.X.size() : 0;
+  }
+  const bool edges = series.Edged && this->Painter.Style().MarkerEdges && all <= many;
   // In a file every marker has its edge above its neighbours; in a window a call a marker is slow.
   vtkContextDevice2D* device = this->Painter.Context()->GetDevice();
   const bool oneByOne = vtkPEMCairoContextDevice2D::SafeDownCast(device) != nullptr;
@@ -388,6 +405,7 @@ void MarkPainter::Draw()
   {
     this->DrawShape(shape);
   }
+  this->BarTextSize = this->FindBarTextSize();
   for (const ChartBar& bar : this->Plot.Bars)
   {
     this->DrawBar(bar);

@@ -52,6 +52,8 @@ public:
 
 private:
   void DrawBar(const ChartBar& bar);
+  /** Of the texts in all bars, in ems: where one of them does not fit there are none (0). */
+  double FindBarTextSize() const;
   void DrawShape(const ChartShape& shape);
   void DrawBand(const ChartSeries& series);
   void DrawLines(const ChartSeries& series);
@@ -74,6 +76,7 @@ private:
   const ColorScale& Colors;
   const std::vector<vtkIdType>& Highlighted; // ascending
   double Em;
+  double BarTextSize = 0.0;
 };
 
 } // namespace pemesh

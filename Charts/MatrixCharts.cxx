@@ -254,7 +254,8 @@ ChartPicture MakeCorrelationMatrix(const ChartRequest& request)
   FinishPicture(request, picture);
   if (!undefined.empty())
   {
-    picture.Notes.push_back("No correlation with a column of one value: " + undefined + ".");
+    picture.Notes.push_back(
+      "No correlation with a column of one value or none: " + undefined + ".");
   }
   return picture;
 }

@@ -145,7 +145,8 @@ void PlotAxes::LayOutHeights(const Box& box, const PlotMargins& least)
   double below = 0.3 * em;
   if (this->Plot.X.HasLabels)
   {
-    this->FittedXTitle = this->Painter.Fit(this->Plot.X.Title, box.Width, 2, titles);
+    // A little less than the room keeps it from the title of a neighbour.
+    this->FittedXTitle = this->Painter.Fit(this->Plot.X.Title, box.Width - 0.4 * em, 2, titles);
     below = (TickLength + TickGap) * em + this->XLabelHeight +
       (this->FittedXTitle.empty()
           ? 0.0
@@ -219,13 +220,19 @@ void PlotAxes::MakeRoomForLastLabel(const Box& box)
 void PlotAxes::FitXTitle()
 {
   const double multiplier = this->Painter.TextWidth(this->XTicks.Multiplier, this->TickText(0, 0));
-  if (multiplier > 0.0)
+  if (multiplier > 0.0 && !this->Plot.X.Title.empty())
   {
     const double room = this->Place.Area.Width - 2.0 * (multiplier + this->Em);
     const auto lines =
       1 + static_cast<int>(std::count(this->FittedXTitle.begin(), this->FittedXTitle.end(), '\n'));
-    this->FittedXTitle =
-      this->Painter.Fit(this->Plot.X.Title, std::max(room, this->Em), lines, this->TitleText(0.0));
+    if (room < 4.0 * this->Em) // beside it nothing would be left of the title
+    {
+      this->FittedXTitle = this->Painter.Fit(this->XTicks.Multiplier + " " + this->Plot.X.Title,
+        this->Cell.Width - 0.4 * this->Em, lines, this->TitleText(0.0));
+      this->XTicks.Multiplier.clear();
+      return;
+    }
+    this->FittedXTitle = this->Painter.Fit(this->Plot.X.Title, room, lines, this->TitleText(0.0));
   }
 }
 
@@ -269,7 +276,7 @@ void PlotAxes::ChooseXTicks()
   this->DropLabels(gap);
 }
 
-/** Where even two labels are too close, the later one goes. */
+/** Where even two labels are too close, the later one goes; so do those that reach a neighbour. */
 void PlotAxes::DropLabels(double gap)
 {
   double end = -1e30;
@@ -277,7 +284,9 @@ void PlotAxes::DropLabels(double gap)
   {
     const double half = 0.5 * this->Painter.TextWidth(tick.Label, this->TickText(0, 1));
     const double middle = this->Place.DeviceX(tick.Position);
-    if (!tick.Label.empty() && middle - half < end)
+    const bool isOut =
+      middle - half < this->Cell.X - 0.5 * gap || middle + half > this->Cell.Right() + 0.5 * gap;
+    if (!tick.Label.empty() && (middle - half < end || isOut))
     {
       tick.Label.clear();
     }

@@ -19,13 +19,18 @@ struct PlotPlacement
   AxisRange X; // places
   AxisRange Y;
 
+  /** How far along a range a place is; by halves, because differences may overflow. */
+  static double Part(double place, const AxisRange& range)
+  {
+    return (0.5 * place - 0.5 * range.Low) / (0.5 * (range.High - range.Low));
+  }
   double DeviceX(double place) const
   {
-    return this->Area.X + this->Area.Width * (place - this->X.Low) / (this->X.High - this->X.Low);
+    return this->Area.X + this->Area.Width * Part(place, this->X);
   }
   double DeviceY(double place) const
   {
-    return this->Area.Y + this->Area.Height * (place - this->Y.Low) / (this->Y.High - this->Y.Low);
+    return this->Area.Y + this->Area.Height * Part(place, this->Y);
   }
   double PlaceX(double device) const
   {

@@ -222,7 +222,7 @@ void AppendStyle(std::string_view style, Attributes& attributes)
   }
 }
 
-/** Writes tags; strokes with one transformation after another share a group. */
+/** Writes tags; strokes that are alike but for colour and width share a group. */
 class SvgWriter
 {
 public:
@@ -258,16 +258,18 @@ public:
         attributes.emplace_back(name, value);
       }
     }
-    this->Group(isStyled ? transform : std::string());
-    this->Text += "<path";
+    // Strokes in one transformation share all but their colour and width.
+    const bool isShared = isStyled && !transform.empty();
+    std::string shared = isShared ? " transform=\"" + transform + "\"" : std::string();
+    std::string own = isShared || transform.empty() ? "" : " transform=\"" + transform + "\"";
     for (const auto& [name, value] : attributes)
     {
-      const bool isOfGroup = !this->Open.empty() &&
-        (name == "fill" ? value == "none" : name == "stroke-linejoin" && value == "round");
-      this->Text += isOfGroup ? "" : " " + name + "=\"" + value + "\"";
+      const bool isOwn =
+        name == "stroke" || name == "stroke-width" || (name == "fill" && value != "none");
+      (isShared && !isOwn ? shared : own) += " " + name + "=\"" + value + "\"";
     }
-    this->Text +=
-      !isStyled && !transform.empty() ? " transform=\"" + transform + "\"" : std::string();
+    this->Group(shared);
+    this->Text += "<path" + own;
     // Transformed coordinates are in units far below a point.
     this->Text += " d=\"" + ShortPath(path, transform.empty() ? 1000.0 : 100.0) + "\"/>";
   }
@@ -284,20 +286,18 @@ public:
   std::string Text;
 
 private:
-  void Group(const std::string& transform)
+  void Group(const std::string& attributes)
   {
-    if (transform == this->Open)
+    if (attributes == this->Open)
     {
       return;
     }
     this->Text += this->Open.empty() ? "" : "</g>\n";
-    this->Text += transform.empty()
-      ? ""
-      : "<g fill=\"none\" stroke-linejoin=\"round\" transform=\"" + transform + "\">\n";
-    this->Open = transform;
+    this->Text += attributes.empty() ? "" : "<g" + attributes + ">\n";
+    this->Open = attributes;
   }
 
-  std::string Open; // the transformation of the group that is open
+  std::string Open; // the attributes of the group that is open
 };
 
 } // namespace

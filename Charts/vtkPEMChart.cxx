@@ -4,6 +4,7 @@
 
 #include "ChartKinds.h"
 #include "ChartOptions.h"
+#include "ChartPlot.h"
 #include "ChartViewState.h"
 
 #include <vtkObjectFactory.h>
@@ -95,7 +96,18 @@ std::vector<std::string> vtkPEMChart::GetKindNames()
 
 double vtkPEMChart::GetPreferredAspect()
 {
-  return pemesh::ChartKinds()[static_cast<std::size_t>(this->Kind)].Aspect;
+  const double usual = pemesh::ChartKinds()[static_cast<std::size_t>(this->Kind)].Aspect;
+  if (!this->WhyNotDrawable().empty() || this->GetPicture().IsMatrix)
+  {
+    return usual;
+  }
+  // Of several plots each needs room for its title and labels.
+  constexpr double aspectOfOne = 1.1;
+  const pemesh::ChartPicture& picture = this->GetPicture();
+  const auto count = static_cast<int>(picture.Plots.size());
+  const int columns = std::clamp(picture.Columns, 1, std::max(count, 1));
+  const int rows = (count + columns - 1) / columns;
+  return rows > 1 ? std::max(usual, aspectOfOne * rows / columns) : usual;
 }
 
 bool vtkPEMChart::SetLogAxes(const std::string& axes)

@@ -32,7 +32,7 @@ bool IsUsable(const pemesh::AxisRange& range, const pemesh::AxisRange& all)
   const double size = std::max(std::fabs(range.Low), std::fabs(range.High));
   const double span = range.High - range.Low;
   return std::isfinite(span) && span > 1e-10 * size && span > 1e-9 * (all.High - all.Low) &&
-    span < 1e4 * (all.High - all.Low) && size < 1e300;
+    span < 1e4 * (all.High - all.Low) && size < 1e307;
 }
 
 std::string DescribeRange(

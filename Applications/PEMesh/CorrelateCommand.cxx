@@ -7,12 +7,13 @@
 #include "Commands.h"
 #include "CsvTable.h"
 #include "ErrorText.h"
-#include "PooledTable.h"
 #include "Study.h"
 #include "StudyFile.h"
 #include "Terminal.h"
 #include "vtkPEMCorrelation.h"
 #include "vtkPEMFindings.h"
+#include "vtkPEMJoinedTable.h"
+#include "vtkPEMPooledTable.h"
 
 #include <CLI/CLI.hpp>
 
@@ -70,19 +71,34 @@ std::string StudyNameOf(const fs::path& file)
   }
 }
 
+void UpdateOrThrow(vtkAlgorithm* step)
+{
+  if (const std::string reason = UpdateExplaining(step); !reason.empty())
+  {
+    throw std::runtime_error(reason);
+  }
+}
+
+/** All tables as one, with the performances to be joined. */
 vtkSmartPointer<vtkTable> ReadTables(const CorrelateArguments& arguments)
 {
-  std::vector<NamedTable> studies;
+  vtkNew<vtkPEMPooledTable> pooled;
   for (const std::string& file : arguments.Tables)
   {
-    studies.emplace_back(StudyNameOf(file), ReadCsvFile(file));
+    pooled->AddInputDataObject(0, ReadCsvFile(file));
+    pooled->AddStudyName(StudyNameOf(file));
   }
-  vtkSmartPointer<vtkTable> table = PoolStudies(studies);
-  if (!arguments.Join.empty())
+  if (arguments.Join.empty())
   {
-    JoinPerformances(table, ReadCsvFile(arguments.Join), arguments.Join);
+    UpdateOrThrow(pooled);
+    return pooled->GetOutput();
   }
-  return table;
+  vtkNew<vtkPEMJoinedTable> joined;
+  joined->SetInputConnection(0, pooled->GetOutputPort());
+  joined->SetInputData(1, ReadCsvFile(arguments.Join));
+  joined->SetSourceName(arguments.Join);
+  UpdateOrThrow(joined);
+  return joined->GetOutput();
 }
 
 int Correlate(const CorrelateArguments& arguments)
@@ -106,14 +122,8 @@ int Correlate(const CorrelateArguments& arguments)
   findings->SetNumberOfSentences(arguments.Most);
   {
     const ProgressBar bar(correlation, "correlate");
-    for (vtkAlgorithm* step :
-      { static_cast<vtkAlgorithm*>(correlation.Get()), static_cast<vtkAlgorithm*>(findings.Get()) })
-    {
-      if (const std::string reason = UpdateExplaining(step); !reason.empty())
-      {
-        throw std::runtime_error(reason);
-      }
-    }
+    UpdateOrThrow(correlation);
+    UpdateOrThrow(findings);
   }
   if (!arguments.Pooled.empty())
   {

@@ -69,7 +69,7 @@ ColumnLabels LabelsOfKnownSolvers()
 
 ChartStyle StyleOf(const PlotArguments& arguments)
 {
-  std::map<std::string, std::string> settings;
+  StudyStyle asked{ arguments.StyleFile, {} };
   for (const std::string& setting : arguments.Settings)
   {
     const std::size_t split = setting.find('=');
@@ -78,9 +78,9 @@ ChartStyle StyleOf(const PlotArguments& arguments)
       throw std::runtime_error(
         "--set \"" + setting + "\" must be NAME=VALUE: see pemesh list style.");
     }
-    settings[setting.substr(0, split)] = setting.substr(split + 1);
+    asked.Settings[setting.substr(0, split)] = setting.substr(split + 1);
   }
-  ChartStyle style = MakeChartStyle({}, arguments.StyleFile, settings);
+  ChartStyle style = MakeChartStyle({}, { asked });
   style.Width = arguments.Width > 0.0 ? arguments.Width : style.Width;
   style.Height = arguments.Height > 0.0 ? arguments.Height : style.Height;
   style.Resolution = arguments.Resolution > 0.0 ? arguments.Resolution : style.Resolution;

@@ -133,6 +133,104 @@ Html ScatterOf(const ReportContents& contents, const FigureFolder& folder, const
     folder, chart, "Scatter chart: " + titles + ". " + words, titles + ": " + words);
 }
 
+/** The metric that goes best with a performance, or "". */
+std::string BestMetric(const ReportContents& contents, const std::string& performance)
+{
+  for (vtkIdType row = 0; contents.Findings && row < contents.Findings->GetNumberOfRows(); ++row)
+  {
+    const std::string metric = TextAt(contents.Findings, row, "Metric");
+    if (TextAt(contents.Findings, row, "Performance") == performance &&
+      contents.Findings->GetValueByName(row, "Rank").ToInt() == 1 &&
+      contents.Results->GetColumnByName(metric.c_str()))
+    {
+      return metric;
+    }
+  }
+  return {};
+}
+
+std::string RangesOf(const ReportContents& contents, const ReportMeasure& measure)
+{
+  std::string text;
+  for (std::size_t i = 0; i < measure.Columns.size(); ++i)
+  {
+    text += (text.empty() ? "" : "; ") +
+      (measure.Columns.size() > 1 ? measure.Runs[i] + " " : std::string()) +
+      RangeOf(ColumnNumbers(contents.Results, measure.Columns[i]));
+  }
+  return text;
+}
+
+/** A chart of one performance of all runs, each in a colour of its own. */
+vtkSmartPointer<vtkPEMChart> ComparisonOf(
+  const ReportContents& contents, const ReportMeasure& measure, const StudyPlot& plot)
+{
+  auto chart = MakeResultChart(plot, contents.Results, contents.Labels);
+  if (measure.Columns.size() > 1)
+  {
+    chart->SetYColumns(measure.Columns, measure.Runs);
+    chart->SetYTitle(measure.Title);
+  }
+  return chart;
+}
+
+/** The metrics that go best with any performance, best first, `most` of them. */
+Names BestMetrics(const ReportContents& contents, std::size_t most)
+{
+  std::vector<std::pair<int, std::string>> ranked;
+  for (vtkIdType row = 0; row < contents.Findings->GetNumberOfRows(); ++row)
+  {
+    const int rank = contents.Findings->GetValueByName(row, "Rank").ToInt();
+    const std::string metric = TextAt(contents.Findings, row, "Metric");
+    if (rank > 0 && contents.Results->GetColumnByName(metric.c_str()))
+    {
+      ranked.emplace_back(rank, metric);
+    }
+  }
+  std::stable_sort(
+    ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  Names names;
+  for (const auto& [rank, metric] : ranked)
+  {
+    if (names.size() < most && std::find(names.begin(), names.end(), metric) == names.end())
+    {
+      names.push_back(metric);
+    }
+  }
+  return names;
+}
+
+/** All performances and the metrics that go best with them, each with each. */
+Html HeatMap(const ReportContents& contents, const FigureFolder& folder)
+{
+  constexpr std::size_t most = 8; // of either; more cannot be read
+  StudyPlot plot = PlotOf("correlation-matrix", "", "");
+  plot.Y = contents.Performances();
+  std::erase_if(plot.Y,
+    [&](const std::string& name)
+    {
+      std::vector<double> values = ColumnNumbers(contents.Results, name);
+      std::erase_if(values, [](double value) { return std::isnan(value); });
+      return values.empty() || IsConstant(values); // nothing goes with what never changes
+    });
+  const bool isPart = plot.Y.size() > most;
+  plot.Y.resize(std::min(plot.Y.size(), most));
+  const Names metrics = BestMetrics(contents, most);
+  plot.Y.insert(plot.Y.end(), metrics.begin(), metrics.end());
+  if (metrics.empty() || plot.Y.size() < 3)
+  {
+    return {};
+  }
+  const std::string& asked = contents.TheStudy.Statistics.Coefficient;
+  const std::string method = asked == "distance" ? "spearman" : asked;
+  plot.Options["method"] = method;
+  const std::string caption = "Coefficients (" + method + ") of the " +
+    std::to_string(metrics.size()) + " metrics that go best with the performances" +
+    (isPart ? ", of which the first " + std::to_string(most) + " are shown" : "");
+  return EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
+    "Heat map of a matrix of correlation. " + caption + ".", caption, { 18.0, 15.0 });
+}
+
 /** The ranked list of one performance, whose rows of the findings begin at `row`. */
 Html RankedList(const ReportContents& contents, const FigureFolder& folder, vtkIdType row)
 {
@@ -213,14 +311,26 @@ Html MakeMetrics(const ReportContents& contents, const FigureFolder& folder)
 Html MakePerformances(const ReportContents& contents, const FigureFolder& folder)
 {
   Html figures;
-  for (const std::string& performance : contents.Performances())
+  for (const ReportMeasure& measure : contents.Measures())
   {
-    StudyPlot plot = PlotOf("line", contents.Abscissa(), performance);
-    plot.Log = contents.IsLogarithmic(performance) ? "y" : "";
-    const std::string title = contents.Labels.Title(performance);
-    const std::string range = RangeOf(ColumnNumbers(contents.Results, performance));
-    figures += EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
-      "Line chart of " + title + ", " + range + ".", title + " (" + performance + "): " + range);
+    StudyPlot plot = PlotOf("line", contents.Abscissa(), measure.Columns.front());
+    plot.Y = measure.Columns;
+    plot.Log = contents.IsLogarithmic(measure.Columns.front()) ? "y" : "";
+    const std::string ranges = RangesOf(contents, measure);
+    figures += EmbedPanel(folder, ComparisonOf(contents, measure, plot),
+      "Line chart of " + measure.Title + "; " + ranges + ".", measure.Title + ": " + ranges);
+    const std::string metric = BestMetric(contents, measure.Columns.front());
+    if (measure.Columns.size() > 1 && !metric.empty())
+    {
+      StudyPlot scatter = plot;
+      scatter.Kind = "scatter";
+      scatter.X = metric;
+      scatter.Log = LogAxes(contents, metric, measure.Columns.front());
+      const std::string titles =
+        measure.Title + " of every solver against " + contents.Labels.Title(metric);
+      figures += EmbedPanel(folder, ComparisonOf(contents, measure, scatter),
+        "Scatter chart coloured by solver: " + titles + ".", titles);
+    }
   }
   return figures.IsEmpty() ? Html() : Grid(figures);
 }
@@ -232,11 +342,11 @@ Html MakeFindings(const ReportContents& contents, const FigureFolder& folder)
     return {};
   }
   Html section;
-  if (contents.Pairs && contents.Pairs->GetNumberOfRows() > 0)
+  if (!contents.Note.empty())
   {
-    section += HtmlElement(
-      "p", { { "class", "note" } }, HtmlText("Note: " + TextAt(contents.Pairs, 0, "Note") + "."));
+    section += HtmlElement("p", { { "class", "note" } }, HtmlText(contents.Note));
   }
+  section += HeatMap(contents, folder);
   std::string last;
   for (vtkIdType row = 0; row < contents.Findings->GetNumberOfRows(); ++row)
   {

@@ -42,7 +42,7 @@ std::size_t CharacterLength(std::string_view text)
   return isOverlong || isForbidden ? 0 : length;
 }
 
-std::string Escape(std::string_view text)
+std::string Escape(std::string_view text, bool isAttribute = false)
 {
   std::string escaped;
   while (!text.empty())
@@ -57,7 +57,7 @@ std::string Escape(std::string_view text)
     {
       escaped += text.substr(0, length);
     }
-    else if (c == '&' || c == '<' || c == '>' || c == '"' || c == '\'')
+    else if (c == '&' || c == '<' || c == '"' || (!isAttribute && (c == '>' || c == '\'')))
     {
       escaped += c == '&' ? "&amp;"
         : c == '<'        ? "&lt;"
@@ -88,7 +88,7 @@ Html HtmlElement(const std::string& name, const HtmlAttributes& attributes, cons
   std::string text = "<" + name;
   for (const auto& [key, value] : attributes)
   {
-    text += " " + key + "=\"" + Escape(value) + "\"";
+    text += " " + key + "=\"" + Escape(value, true) + "\"";
   }
   const bool isEmpty =
     std::find(EmptyElements.begin(), EmptyElements.end(), name) != EmptyElements.end();
@@ -154,6 +154,31 @@ std::string DataAddress(const std::string& mediaType, const std::string& bytes)
     for (std::size_t k = 0; k < 4; ++k)
     {
       text += k <= count ? digits[group >> (18 - 6 * k) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+std::string TextAddress(const std::string& mediaType, std::string_view bytes)
+{
+  constexpr const char* digits = "0123456789ABCDEF";
+  std::string text = "data:" + mediaType + ";charset=utf-8,";
+  const bool mayQuote = bytes.find('\'') == std::string_view::npos;
+  for (const char c : bytes)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if (c == '"' && mayQuote)
+    {
+      text += '\''; // which an attribute can hold, and which means the same
+    }
+    // What an address or an attribute cannot hold; blanks may stand.
+    else if (byte < 0x20 || byte > 0x7E || std::string_view("\"#%&<").find(c) < 5)
+    {
+      text += { '%', digits[byte / 16], digits[byte % 16] };
+    }
+    else
+    {
+      text += c;
     }
   }
   return text;

@@ -75,6 +75,9 @@ Html FormatTable(const HtmlTable& table);
 /** The bytes of a file as an address that holds them (RFC 2397). */
 std::string DataAddress(const std::string& mediaType, const std::string& bytes);
 
+/** The same of an XML text, which takes less; quotation marks become apostrophes. */
+std::string TextAddress(const std::string& mediaType, std::string_view text);
+
 } // namespace pemesh
 
 #endif

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ReportContents.h"
 
+#include "ChartStyleFile.h"
 #include "ColumnRoles.h"
 #include "CsvTable.h"
 #include "MeshFormats.h"
@@ -10,6 +11,7 @@
 #include "TextFile.h"
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include <vtkDataArray.h>
@@ -41,6 +43,19 @@ vtkSmartPointer<vtkTable> ReadOptional(
   return nullptr;
 }
 
+/** The last line of the sentences. */
+std::string ReadNote(const fs::path& file)
+{
+  if (!fs::exists(file))
+  {
+    return {};
+  }
+  const std::string text = ReadTextFile(file);
+  const std::size_t start = text.rfind("Note: ");
+  return start == std::string::npos ? std::string()
+                                    : text.substr(start, text.find('\n', start) - start);
+}
+
 /** Without the descriptions of its solvers a page has plainer titles, nothing worse. */
 void FindLabels(ReportContents& contents)
 {
@@ -55,6 +70,19 @@ void FindLabels(ReportContents& contents)
     contents.Solvers.clear();
     contents.Remarks.push_back(
       std::string("Performances have no titles, as a solver is not known here: ") + error.what());
+  }
+}
+
+/** The copy of the study in the folder names files of styles relative to itself. */
+void ReadStyle(ReportContents& contents)
+{
+  try
+  {
+    contents.Style = MakeChartStyle(contents.Folder, { contents.TheStudy.Style });
+  }
+  catch (const std::exception& error)
+  {
+    contents.Remarks.push_back(std::string("Figures have the default style: ") + error.what());
   }
 }
 
@@ -142,6 +170,34 @@ std::vector<std::string> ReportContents::Performances() const
   return PerformanceColumns(this->Results);
 }
 
+std::vector<ReportMeasure> ReportContents::Measures() const
+{
+  std::vector<ReportMeasure> measures;
+  std::map<std::string, std::size_t> known; // by the name of the performance
+  for (const std::string& column : this->Performances())
+  {
+    std::string run;
+    for (const StudySolver& solver : this->TheStudy.Solvers)
+    {
+      const bool longer = solver.Name.size() > run.size();
+      run = longer && column.starts_with(solver.Name + "_") ? solver.Name : run;
+    }
+    const std::string name = run.empty() ? column : column.substr(run.size() + 1);
+    const auto [place, isNew] = known.emplace(name, measures.size());
+    if (isNew)
+    {
+      // The title of a column of one of several runs ends in the name of the run.
+      std::string title = this->Labels.Title(column);
+      const std::string ending = ", " + run;
+      title.resize(title.size() - (!run.empty() && title.ends_with(ending) ? ending.size() : 0));
+      measures.push_back({ title, {}, {} });
+    }
+    measures[place->second].Columns.push_back(column);
+    measures[place->second].Runs.push_back(run);
+  }
+  return measures;
+}
+
 bool ReportContents::IsLogarithmic(const std::string& performance) const
 {
   for (std::size_t i = 0; i < this->Solvers.size(); ++i)
@@ -170,9 +226,10 @@ ReportContents ReadReportContents(const fs::path& folder)
   contents.Document = ReadTextFile(folder / "study.json");
   contents.TheStudy = ReadStudy(folder / "study.json");
   contents.Results = ReadCsvFile(folder / "results.csv");
-  contents.Pairs = ReadOptional(folder / "correlation.csv", "The correlations", contents);
   contents.Findings = ReadOptional(folder / "findings.csv", "The findings", contents);
   contents.Failures = ReadOptional(folder / "failures.csv", "The failures", contents);
+  contents.Note = ReadNote(folder / "findings.txt");
+  ReadStyle(contents);
   FindLabels(contents);
   ReadShownMeshes(contents);
   return contents;

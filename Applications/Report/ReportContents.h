@@ -7,6 +7,7 @@
 #ifndef pemesh_ReportContents_h
 #define pemesh_ReportContents_h
 
+#include "ChartStyle.h"
 #include "ColumnLabels.h"
 #include "SolverDescription.h"
 #include "Study.h"
@@ -30,6 +31,14 @@ struct ShownMesh
   vtkSmartPointer<vtkPolyData> Mesh;
 };
 
+/** A performance, and the columns of all runs of solvers that have it. */
+struct ReportMeasure
+{
+  std::string Title;
+  std::vector<std::string> Columns;
+  std::vector<std::string> Runs; // the name of the run of each; empty where it is none's
+};
+
 struct ReportContents
 {
   std::filesystem::path Folder;
@@ -38,10 +47,11 @@ struct ReportContents
   std::vector<SolverDescription> Solvers;
   ColumnLabels Labels;
   vtkSmartPointer<vtkTable> Results;
-  vtkSmartPointer<vtkTable> Pairs;    // may be null
   vtkSmartPointer<vtkTable> Findings; // may be null
   vtkSmartPointer<vtkTable> Failures; // null where nothing failed
+  std::string Note;                   // on what p-values and intervals mean; may be empty
   std::vector<ShownMesh> Meshes;
+  ChartStyle Style;                 // of the figures, as the study asks
   std::vector<std::string> Remarks; // what could not be shown, and why
 
   /** The column that the meshes vary by, for abscissae. */
@@ -49,6 +59,8 @@ struct ReportContents
   /** The column that colours points: the families, where the study tells them apart. */
   std::string ColorColumn() const;
   std::vector<std::string> Performances() const;
+  /** The performances by what they measure, in the order of the columns. */
+  std::vector<ReportMeasure> Measures() const;
   /** Whether the description of a solver says so. */
   bool IsLogarithmic(const std::string& performance) const;
 };

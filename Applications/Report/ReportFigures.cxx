@@ -6,6 +6,7 @@
 #include "vtkPEMFigure.h"
 #include "vtkPEMPanel.h"
 
+#include <cmath>
 #include <cstdlib>
 #include <stdexcept>
 
@@ -19,14 +20,13 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr double Width = 9.0;                 // centimetres
-constexpr double Height = 7.0;                // centimetres
 constexpr std::size_t LargestVector = 200000; // bytes; beyond, a PNG is smaller
 constexpr double PixelsAnInch = 160.0;
 
 } // namespace
 
-FigureFolder::FigureFolder()
+FigureFolder::FigureFolder(const ChartStyle& style)
+  : Style(style)
 {
   std::string pattern = (fs::temp_directory_path() / "pemesh-report-XXXXXX").string();
   if (!mkdtemp(pattern.data()))
@@ -44,7 +44,7 @@ FigureFolder::~FigureFolder()
 }
 
 Html EmbedPanel(const FigureFolder& folder, vtkPEMPanel* panel, const std::string& description,
-  const std::string& caption)
+  const std::string& caption, const FigureSize& size)
 {
   const std::string reason = panel->WhyNotDrawable();
   if (!reason.empty())
@@ -53,7 +53,8 @@ Html EmbedPanel(const FigureFolder& folder, vtkPEMPanel* panel, const std::strin
   }
   vtkNew<vtkPEMFigure> figure;
   figure->AddPanel(panel);
-  figure->SetSizeInCentimeters(Width, Height);
+  figure->SetStyle(folder.GetStyle());
+  figure->SetSizeInCentimeters(size.Width, size.Height);
   figure->SetDPI(PixelsAnInch);
   const fs::path vector = folder.GetPath() / "figure.svg";
   if (!figure->Write(vector.string()))
@@ -63,7 +64,7 @@ Html EmbedPanel(const FigureFolder& folder, vtkPEMPanel* panel, const std::strin
   std::string address;
   if (fs::file_size(vector) <= LargestVector)
   {
-    address = DataAddress("image/svg+xml", ReadTextFile(vector));
+    address = TextAddress("image/svg+xml", ReadTextFile(vector));
   }
   else
   {
@@ -76,7 +77,9 @@ Html EmbedPanel(const FigureFolder& folder, vtkPEMPanel* panel, const std::strin
   }
   return HtmlElement("figure", {},
     HtmlElement("img",
-      { { "src", address }, { "alt", description }, { "width", "900" }, { "height", "700" } }) +
+      { { "src", address }, { "alt", description },
+        { "width", std::to_string(std::lround(100.0 * size.Width)) },
+        { "height", std::to_string(std::lround(100.0 * size.Height)) } }) +
       HtmlElement("figcaption", caption));
 }
 

@@ -6,6 +6,7 @@
 #ifndef pemesh_ReportFigures_h
 #define pemesh_ReportFigures_h
 
+#include "ChartStyle.h"
 #include "HtmlText.h"
 
 #include <filesystem>
@@ -20,15 +21,24 @@ namespace pemesh
 class FigureFolder
 {
 public:
-  FigureFolder();
+  explicit FigureFolder(const ChartStyle& style);
   ~FigureFolder();
   FigureFolder(const FigureFolder&) = delete;
   FigureFolder& operator=(const FigureFolder&) = delete;
 
   const std::filesystem::path& GetPath() const { return this->Path; }
+  const ChartStyle& GetStyle() const { return this->Style; }
 
 private:
   std::filesystem::path Path;
+  ChartStyle Style; // of all figures
+};
+
+/** Of a figure, in centimetres of a printed page. */
+struct FigureSize
+{
+  double Width = 9.0;
+  double Height = 7.0;
 };
 
 /**
@@ -37,7 +47,7 @@ private:
  * that cannot be drawn is a sentence that says why.
  */
 Html EmbedPanel(const FigureFolder& folder, vtkPEMPanel* panel, const std::string& description,
-  const std::string& caption);
+  const std::string& caption, const FigureSize& size = {});
 
 } // namespace pemesh
 

@@ -66,7 +66,7 @@ Html MakeHeader(const pemesh::ReportContents& contents)
 
 std::string MakePage(const pemesh::ReportContents& contents)
 {
-  const pemesh::FigureFolder folder;
+  const pemesh::FigureFolder folder(contents.Style);
   Html links;
   Html sections;
   for (const pemesh::ReportSection& section : Sections)

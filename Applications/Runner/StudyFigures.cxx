@@ -160,9 +160,9 @@ void StudyFigures::WriteOne(
 {
   const ColumnLabels labels(this->TheStudy, this->Solvers);
   vtkNew<vtkPEMFigure> figure;
-  if (!plot.StyleFile.empty() || !plot.Style.empty())
+  if (plot.Style != StudyStyle() || this->TheStudy.Style != StudyStyle())
   {
-    figure->SetStyle(MakeChartStyle(this->TheStudy.Folder, plot.StyleFile, plot.Style));
+    figure->SetStyle(MakeChartStyle(this->TheStudy.Folder, { this->TheStudy.Style, plot.Style }));
   }
   if (plot.Kind == "mesh")
   {

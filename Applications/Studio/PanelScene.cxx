@@ -105,6 +105,7 @@ PaintedPanels PanelScene::PaintAll(const PanelLayout& layout)
   vtkNew<vtkPEMCairoContextDevice2D> device;
   device->SetPageSize(layout.Size.width(), layout.Size.height());
   device->SetDPI(PointsPerInch * layout.PixelRatio);
+  device->SetFormat(vtkPEMCairoContextDevice2D::FORMAT_PIXELS);
   device->Begin(nullptr);
   if (!device->GetErrorMessage().empty())
   {
@@ -127,10 +128,16 @@ PaintedPanels PanelScene::PaintAll(const PanelLayout& layout)
   }
   context->End();
   device->End();
-  const std::string png = device->GetContents();
-  QImage page;
-  page.loadFromData(
-    reinterpret_cast<const uchar*>(png.data()), static_cast<int>(png.size()), "PNG");
+  const std::string pixels = device->GetContents();
+  int size[2];
+  device->GetNumberOfPixels(size);
+  if (pixels.empty())
+  {
+    painted.Fault = QString::fromStdString(device->GetErrorMessage());
+    return painted;
+  }
+  const QImage page(
+    reinterpret_cast<const uchar*>(pixels.data()), size[0], size[1], QImage::Format_RGB32);
   painted.Image = OnBackground(page, painted.Boxes, layout);
   return painted;
 }

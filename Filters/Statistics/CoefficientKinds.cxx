@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace pemesh
 {
@@ -24,12 +23,13 @@ double Kendall(std::span<const double> x, std::span<const double> y)
 
 constexpr std::array<CoefficientKind, 4> Kinds{ {
   { "spearman", "Spearman", "monotone relation, from ranks", true, true, true, PearsonCorrelation,
-    SpearmanPValue },
-  { "pearson", "Pearson", "linear relation", false, true, true, PearsonCorrelation, PearsonPValue },
+    SpearmanPValue, PartialCorrelation },
+  { "pearson", "Pearson", "linear relation", false, true, true, PearsonCorrelation, PearsonPValue,
+    PartialCorrelation },
   { "kendall", "Kendall", "monotone relation, from the order of pairs (tau-b)", false, true, false,
-    Kendall, KendallPValue },
+    Kendall, KendallPValue, PartialKendall },
   { "distance", "distance correlation", "any relation; no direction", false, false, false,
-    DistanceCorrelation, nullptr },
+    DistanceCorrelation, nullptr, PartialDistanceCorrelation },
 } };
 
 } // namespace
@@ -96,10 +96,6 @@ double CoefficientGiven(const CoefficientKind& kind, std::span<const double> x,
   {
     return ComputeCoefficient(kind, keptX, keptY);
   }
-  if (!kind.IsPearson)
-  {
-    return std::numeric_limits<double>::quiet_NaN();
-  }
   if (kind.OfRanks)
   {
     keptX = CenteredRanks(keptX);
@@ -107,7 +103,7 @@ double CoefficientGiven(const CoefficientKind& kind, std::span<const double> x,
     std::transform(
       kept.begin(), kept.end(), kept.begin(), [](const auto& g) { return CenteredRanks(g); });
   }
-  return PartialCorrelation(keptX, keptY, kept);
+  return kind.Partial(keptX, keptY, kept);
 }
 
 } // namespace pemesh

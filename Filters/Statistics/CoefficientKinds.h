@@ -25,12 +25,15 @@ struct CoefficientKind
   bool OfRanks;
   /** False for one that tells strength, but no direction. */
   bool HasSign;
-  /** Whether `Compute` is Pearson's, which can be held against other columns. */
+  /** Whether `Compute` is Pearson's: a sum of products of what it is given. */
   bool IsPearson;
   /** Of samples without NaN; see the headers of the coefficients. */
   double (*Compute)(std::span<const double> x, std::span<const double> y);
   /** Its p-value for independent rows, or null where only arrangements give one. */
   PValue (*IndependentPValue)(std::span<const double> x, std::span<const double> y);
+  /** With other samples held fixed, of ranks where the kind is of ranks. */
+  double (*Partial)(std::span<const double> x, std::span<const double> y,
+    const std::vector<std::vector<double>>& given);
 };
 
 PEMESHFILTERSSTATISTICS_EXPORT std::span<const CoefficientKind> CoefficientKinds();
@@ -48,7 +51,7 @@ PEMESHFILTERSSTATISTICS_EXPORT std::vector<double> PrepareSample(
 
 /**
  * The coefficient of the rows where no sample is NaN, with the samples `given` held fixed where
- * there are any (see PartialCorrelation; of ranks, where the kind is of ranks).
+ * there are any (see PartialCorrelation.h; of ranks, where the kind is of ranks).
  */
 PEMESHFILTERSSTATISTICS_EXPORT double CoefficientGiven(const CoefficientKind& kind,
   std::span<const double> x, std::span<const double> y,

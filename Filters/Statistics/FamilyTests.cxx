@@ -160,140 +160,6 @@ private:
   std::vector<double> KeptY;
 };
 
-/** A sample in its order, so that resamples of it need not be sorted. */
-struct OrderedSample
-{
-  std::span<const double> Values;
-  std::vector<std::size_t> Order; // of the rows that have a value
-
-  explicit OrderedSample(std::span<const double> values)
-    : Values(values)
-  {
-    for (std::size_t row = 0; row < values.size(); ++row)
-    {
-      if (!std::isnan(values[row]))
-      {
-        this->Order.push_back(row);
-      }
-    }
-    std::sort(this->Order.begin(), this->Order.end(),
-      [&](std::size_t a, std::size_t b)
-      { return values[a] != values[b] ? values[a] < values[b] : a < b; });
-  }
-
-  /** Twice the mid-rank of each row less (n + 1), where row i is there times[i] times. */
-  void Ranks(const std::vector<int>& times, int count, std::vector<double>& ranks) const
-  {
-    int below = 0;
-    for (std::size_t first = 0; first < this->Order.size();)
-    {
-      std::size_t last = first;
-      int here = 0;
-      while (last < this->Order.size() &&
-        this->Values[this->Order[last]] == this->Values[this->Order[first]])
-      {
-        here += times[this->Order[last++]];
-      }
-      for (std::size_t i = first; i < last; ++i)
-      {
-        ranks[this->Order[i]] = 2 * below + here + 1 - (count + 1);
-      }
-      below += here;
-      first = last;
-    }
-  }
-};
-
-/** Coefficients of resamples of one pair. */
-class ResampledCoefficient
-{
-public:
-  ResampledCoefficient(const PairsOfColumns& pairs, std::size_t pair, const CoefficientKind& kind)
-    : Kind(kind)
-    , X(pairs.Columns[pairs.Pairs[pair].first])
-    , Y(pairs.Columns[pairs.Pairs[pair].second])
-    , OrderX(X)
-    , OrderY(Y)
-    , RanksX(X.size(), 0.0)
-    , RanksY(X.size(), 0.0)
-    , Times(X.size())
-  {
-    for (const std::size_t column : pairs.Given)
-    {
-      this->Given.emplace_back(pairs.Columns[column]);
-    }
-  }
-
-  double Evaluate(const std::vector<int>& times)
-  {
-    return this->Kind.OfRanks && this->Given.empty() ? this->OfRanks(times) : this->Expanded(times);
-  }
-
-private:
-  /** Spearman's coefficient without sorting: exact integers until the division. */
-  double OfRanks(const std::vector<int>& times)
-  {
-    int count = 0;
-    for (std::size_t row = 0; row < this->X.size(); ++row)
-    {
-      const bool present = !std::isnan(this->X[row]) && !std::isnan(this->Y[row]);
-      this->Times[row] = present ? times[row] : 0;
-      count += this->Times[row];
-    }
-    this->OrderX.Ranks(this->Times, count, this->RanksX);
-    this->OrderY.Ranks(this->Times, count, this->RanksY);
-    double xy = 0.0;
-    double xx = 0.0;
-    double yy = 0.0;
-    for (std::size_t row = 0; row < this->X.size(); ++row)
-    {
-      if (this->Times[row] > 0)
-      {
-        xy += this->Times[row] * this->RanksX[row] * this->RanksY[row];
-        xx += this->Times[row] * this->RanksX[row] * this->RanksX[row];
-        yy += this->Times[row] * this->RanksY[row] * this->RanksY[row];
-      }
-    }
-    return xx > 0.0 && yy > 0.0 ? std::clamp(xy / std::sqrt(xx * yy), -1.0, 1.0) : Undefined;
-  }
-
-  double Expanded(const std::vector<int>& times) const
-  {
-    const auto expand = [&](std::span<const double> all)
-    {
-      std::vector<double> drawn;
-      for (std::size_t row = 0; row < all.size(); ++row)
-      {
-        drawn.insert(drawn.end(), static_cast<std::size_t>(times[row]), all[row]);
-      }
-      return drawn;
-    };
-    std::vector<std::vector<double>> given;
-    std::transform(this->Given.begin(), this->Given.end(), std::back_inserter(given), expand);
-    return CoefficientGiven(
-      this->Kind, expand(this->X), expand(this->Y), { given.begin(), given.end() });
-  }
-
-  const CoefficientKind& Kind;
-  std::span<const double> X;
-  std::span<const double> Y;
-  std::vector<std::span<const double>> Given;
-  OrderedSample OrderX;
-  OrderedSample OrderY;
-  std::vector<double> RanksX;
-  std::vector<double> RanksY;
-  std::vector<int> Times;
-};
-
-/** The quantile as R's type 7 and NumPy define it. */
-double Quantile(const std::vector<double>& sorted, double share)
-{
-  const double place = share * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(place);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
 /** Calls `body(pair)` for all pairs, portion by portion; false where it was told to stop. */
 bool ForEachPair(
   std::size_t pairs, const TestProgress& progress, const std::function<void(std::size_t)>& body)
@@ -332,13 +198,18 @@ std::vector<std::vector<std::size_t>> NextArrangements(FamilyShuffle& shuffle, s
 
 } // namespace
 
+bool HasArrangements(const PairsOfColumns& pairs, const CoefficientKind& kind)
+{
+  return pairs.Given.empty() || kind.IsPearson;
+}
+
 std::vector<double> FamilyPValues(const PairsOfColumns& pairs, const CoefficientKind& kind,
   const RowFamilies& families, int permutations, std::uint64_t seed, const TestProgress& progress)
 {
   const std::size_t rows = pairs.Columns.empty() ? 0 : pairs.Columns.front().size();
   FamilyShuffle shuffle(families, permutations, seed); // every pair sees the same arrangements
   const int count = shuffle.GetCount();
-  if (count == 0 || (!pairs.Given.empty() && !kind.IsPearson))
+  if (count == 0 || !HasArrangements(pairs, kind))
   {
     return std::vector<double>(pairs.Pairs.size(), Undefined);
   }
@@ -373,39 +244,6 @@ std::vector<double> FamilyPValues(const PairsOfColumns& pairs, const Coefficient
     hits /= 1.0 + count;
   }
   return p;
-}
-
-std::vector<Interval> FamilyIntervals(const PairsOfColumns& pairs, const CoefficientKind& kind,
-  const RowFamilies& families, int samples, double level, std::uint64_t seed,
-  const TestProgress& progress)
-{
-  const std::size_t rows = pairs.Columns.empty() ? 0 : pairs.Columns.front().size();
-  std::vector<Interval> intervals(pairs.Pairs.size(), { Undefined, Undefined });
-  if (families.size() < FewestFamilies || samples < 1)
-  {
-    return intervals;
-  }
-  const bool done = ForEachPair(pairs.Pairs.size(), progress,
-    [&](std::size_t pair)
-    {
-      ResampledCoefficient coefficient(pairs, pair, kind);
-      std::mt19937_64 bits(seed); // every pair sees the same samples
-      std::vector<double> values;
-      for (int sample = 0; sample < samples; ++sample)
-      {
-        const double value = coefficient.Evaluate(DrawFamilies(families, rows, bits));
-        if (!std::isnan(value))
-        {
-          values.push_back(value);
-        }
-      }
-      if (static_cast<double>(values.size()) >= 0.9 * samples)
-      {
-        std::sort(values.begin(), values.end());
-        intervals[pair] = { Quantile(values, (1 - level) / 2), Quantile(values, (1 + level) / 2) };
-      }
-    });
-  return done ? intervals : std::vector<Interval>();
 }
 
 } // namespace pemesh

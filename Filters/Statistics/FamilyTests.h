@@ -44,6 +44,13 @@ PEMESHFILTERSSTATISTICS_EXPORT std::vector<double> FamilyPValues(const PairsOfCo
   const CoefficientKind& kind, const RowFamilies& families, int permutations, std::uint64_t seed,
   const TestProgress& progress = {});
 
+/**
+ * Whether there are such p-values: with columns given only for kinds that regression leaves
+ * residuals for, which are what changes places.
+ */
+PEMESHFILTERSSTATISTICS_EXPORT bool HasArrangements(
+  const PairsOfColumns& pairs, const CoefficientKind& kind);
+
 struct Interval
 {
   double Low;

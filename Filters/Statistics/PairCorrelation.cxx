@@ -204,7 +204,7 @@ std::string DescribeFamilies(const PairOptions& options)
 
 } // namespace
 
-std::string DescribeTests(const PairOptions& options)
+std::string DescribeTests(const PairsOfColumns& pairs, const PairOptions& options)
 {
   if (options.Rows == RowsAre::OneFamily)
   {
@@ -212,9 +212,11 @@ std::string DescribeTests(const PairOptions& options)
            "into the next; they are no sample, and only the trend counts";
   }
   const std::string label = KindOf(options).Label;
-  std::string text = options.Rows == RowsAre::Families
-    ? DescribeFamilies(options)
-    : std::string("p two-sided, for independent rows");
+  std::string text = !HasArrangements(pairs, KindOf(options))
+    ? "no p-values: no arrangement of rows leaves a partial coefficient of " + label +
+      " as it would be by chance"
+    : options.Rows == RowsAre::Families ? DescribeFamilies(options)
+                                        : std::string("p two-sided, for independent rows");
   text += "; p, interval and words go by " + label;
   if (options.Bootstrap > 0)
   {
@@ -255,11 +257,6 @@ std::vector<PairCorrelation> CorrelatePairs(
     return {};
   }
   AddCorrections(results);
-  const std::string note = DescribeTests(options);
-  for (PairCorrelation& result : results)
-  {
-    result.Note = note;
-  }
   return results;
 }
 

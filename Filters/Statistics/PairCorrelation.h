@@ -62,7 +62,6 @@ struct PairCorrelation
   std::string Trend = "undefined";
   TrendForm Form;
   std::string Words;
-  std::string Note;
 };
 
 /**
@@ -72,8 +71,9 @@ struct PairCorrelation
 PEMESHFILTERSSTATISTICS_EXPORT std::vector<PairCorrelation> CorrelatePairs(
   const PairsOfColumns& pairs, const PairOptions& options, const TestProgress& progress = {});
 
-/** What p-values and intervals mean under these options, in one or two sentences. */
-PEMESHFILTERSSTATISTICS_EXPORT std::string DescribeTests(const PairOptions& options);
+/** What p-values and intervals of these pairs mean, in one or two sentences. */
+PEMESHFILTERSSTATISTICS_EXPORT std::string DescribeTests(
+  const PairsOfColumns& pairs, const PairOptions& options);
 
 } // namespace pemesh
 

@@ -33,6 +33,32 @@ PEMESHFILTERSSTATISTICS_EXPORT std::vector<double> RegressionResiduals(
 PEMESHFILTERSSTATISTICS_EXPORT double PartialCorrelation(std::span<const double> x,
   std::span<const double> y, const std::vector<std::vector<double>>& given);
 
+/**
+ * Kendall's partial tau-b in [-1, 1]: what the matrix of tau-b leaves between both once the given
+ * samples are taken out, as if it were one of linear correlations; for one given sample
+ * (t_xy - t_xz t_yz) / sqrt((1 - t_xz^2) (1 - t_yz^2)). NaN where they determine the order of one
+ * of them, or where rows do not exceed the given samples by three. Unlike a partial correlation of
+ * residuals it need not be 0 where both depend on the given samples alone (Nelson, Yang).
+ *
+ * References: M. G. Kendall, Partial rank correlation, Biometrika 32 (1942) 277-283; P. I. Nelson,
+ * S.-S. Yang, Some properties of Kendall's partial rank correlation coefficient, Stat. Probab.
+ * Lett. 6 (1988) 147-150.
+ */
+PEMESHFILTERSSTATISTICS_EXPORT double PartialKendall(std::span<const double> x,
+  std::span<const double> y, const std::vector<std::vector<double>>& given);
+
+/**
+ * Root of the partial distance correlation, in [0, 1] as DistanceCorrelation, 0 where it is
+ * negative: cosine of the U-centred distances of both once those of the given samples (each at
+ * standard deviation 1, all as one vector) are projected out. NaN for fewer than four rows, where a
+ * value is not finite, and where nothing is left. O(n^2) time, O(n) memory.
+ *
+ * Reference: G. J. Szekely, M. L. Rizzo, Partial distance correlation with methods for
+ * dissimilarities, Ann. Stat. 42 (2014) 2382-2412, doi:10.1214/14-AOS1255.
+ */
+PEMESHFILTERSSTATISTICS_EXPORT double PartialDistanceCorrelation(std::span<const double> x,
+  std::span<const double> y, const std::vector<std::vector<double>>& given);
+
 } // namespace pemesh
 
 #endif

@@ -142,7 +142,6 @@ void FillTable(vtkTable* table, const NamePairs& pairs, const std::string& coeff
   number("FormParameter", [](Result r) { return r.Form.Parameter; });
   number("FormFit", [](Result r) { return r.Form.Fit; });
   AddColumn<Text>(table, "Words", all, [&](std::size_t i) { return all[i].Words; });
-  AddColumn<Text>(table, "Note", all, [&](std::size_t i) { return all[i].Note; });
 }
 
 } // namespace
@@ -182,11 +181,6 @@ std::string vtkPEMCorrelation::WhyUnusable(vtkTable* table) const
     return "There is no coefficient \"" + this->Coefficient + "\": choose one of " +
       JoinNames(known) + ".";
   }
-  if (!this->GivenColumns.empty() && !kind->IsPearson)
-  {
-    return std::string("There is no partial coefficient of ") + kind->Label +
-      ": use spearman or pearson where columns are given.";
-  }
   return {};
 }
 
@@ -218,9 +212,9 @@ int vtkPEMCorrelation::RequestData(
   const NamePairs pairs = MakePairs(x, y);
   const std::string familyColumn = this->FamilyColumnOf(table);
   const pemesh::PairOptions options = this->MakeOptions(table, familyColumn);
-  const std::vector<pemesh::PairCorrelation> all =
-    pemesh::CorrelatePairs(GatherColumns(table, pairs, this->GivenColumns), options,
-      [this](double done) { return pemesh::ReportProgress(this, done); });
+  const pemesh::PairsOfColumns columns = GatherColumns(table, pairs, this->GivenColumns);
+  const std::vector<pemesh::PairCorrelation> all = pemesh::CorrelatePairs(
+    columns, options, [this](double done) { return pemesh::ReportProgress(this, done); });
   if (all.size() < pairs.size())
   {
     results->Initialize();
@@ -235,6 +229,7 @@ int vtkPEMCorrelation::RequestData(
   }
   pemesh::SetFieldText(results, "Rows", NameOf(options.Rows));
   pemesh::SetFieldText(results, "FamilyColumn", familyColumn);
+  pemesh::SetFieldText(results, "Note", pemesh::DescribeTests(columns, options));
   return 1;
 }
 

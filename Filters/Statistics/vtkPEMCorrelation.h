@@ -11,11 +11,10 @@
  *   [-1, 1], given the columns named | `Coefficient` which of them is tested, `Tested` its value |
  *   `P` its two-sided p-value, `PHolm` and `PBenjaminiHochberg` corrected for all pairs of the
  *   table | `Low`, `High` its confidence interval | `Trend` | `Direction`, `Strength`, `Form`,
- *   `FormParameter` (slope, exponent or rate), `FormFit` (R^2) | `Words` all of these in words |
- *   `Note` on what p-values and intervals mean. Undefined is NaN (a constant column, fewer than
- *   two rows), and `Words` says why. Field data: the list `Performances` of the Y that are
- *   responses, not metrics; the texts `Rows` (one-family, families or independent) and
- *   `FamilyColumn`.
+ *   `FormParameter` (slope, exponent or rate), `FormFit` (R^2) | `Words` all of these in words.
+ *   Undefined is NaN (a constant column, fewer than two rows), and `Words` says why. Field data:
+ *   the list `Performances` of the Y that are responses, not metrics; the texts `Rows` (one-family,
+ *   families or independent), `FamilyColumn`, and `Note` on what p-values and intervals mean.
  *
  * Pairs: every X with every Y, a pair (a, b) once and never (a, a). By default X are the metrics,
  *   which are the numeric columns <Metric>_<statistic>, and Y the metrics and the performances,

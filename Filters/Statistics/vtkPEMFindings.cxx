@@ -28,9 +28,9 @@ namespace
 
 using pemesh::RankedMetric;
 
-constexpr std::array<const char*, 15> NeededColumns{ "X", "Y", "N", "Families", "Coefficient",
+constexpr std::array<const char*, 14> NeededColumns{ "X", "Y", "N", "Families", "Coefficient",
   "Tested", "P", "PHolm", "PBenjaminiHochberg", "Low", "High", "FormFit", "DistanceCorrelation",
-  "Words", "Note" };
+  "Words" };
 constexpr std::array<const char*, 6> CopiedNumbers{ "Tested", "P", "PHolm", "PBenjaminiHochberg",
   "Low", "High" };
 
@@ -194,7 +194,7 @@ std::string TextOf(const std::vector<Ranking>& rankings, vtkTable* pairs, int mo
     AppendRanking(text, ranking, pairs, static_cast<std::size_t>(most));
     text += "\n";
   }
-  return text + "Note: " + TextAt(pairs, "Note", rankings.front().Metrics.front().Pair) + ".\n";
+  return text + "Note: " + pemesh::GetFieldText(pairs, "Note") + ".\n";
 }
 
 template <typename Array>

@@ -4,6 +4,7 @@
 
 #include "ChartStyle.h"
 #include "SettingJson.h"
+#include "Study.h"
 #include "TextFile.h"
 
 #include <vector>
@@ -96,27 +97,53 @@ std::optional<JsonValue> WriteStyleKeys(
   return JsonValue{ std::move(object) };
 }
 
-ChartStyle MakeChartStyle(const std::filesystem::path& folder, const std::string& file,
-  const std::map<std::string, std::string>& settings)
+namespace
 {
-  ChartStyle style = file.empty() ? ChartStyle() : ReadChartStyleFile(folder / file);
+
+using Settings = std::map<std::string, std::string>;
+
+Settings ReadSettings(const std::filesystem::path& path)
+{
+  const DocumentPlace place(path.string());
+  std::string from;
+  Settings settings = ReadStyleKeys(ParseJson(ReadTextFile(path), path.string()), place, from);
+  if (!from.empty())
+  {
+    place.Member(From).Fail("is for the styles of studies and plots: a file holds a whole style.");
+  }
+  return settings;
+}
+
+void Apply(const Settings& settings, ChartStyle& style)
+{
   for (const auto& [name, value] : settings)
   {
     SetSetting(ChartStyleFields(), style, name, value);
+  }
+}
+
+} // namespace
+
+ChartStyle MakeChartStyle(
+  const std::filesystem::path& folder, const std::vector<StudyStyle>& styles)
+{
+  ChartStyle style;
+  for (const StudyStyle& each : styles)
+  {
+    if (!each.File.empty())
+    {
+      Apply(ReadSettings(folder / each.File), style);
+    }
+    Apply(each.Settings, style);
   }
   return style;
 }
 
 ChartStyle ReadChartStyleFile(const std::filesystem::path& path)
 {
-  const DocumentPlace place(path.string());
-  std::string from;
-  const auto keys = ReadStyleKeys(ParseJson(ReadTextFile(path), path.string()), place, from);
-  if (!from.empty())
-  {
-    place.Member(From).Fail("is for the styles of plots: a file holds the whole style.");
-  }
-  return MakeChartStyle({}, "", keys);
+  ChartStyle style;
+  Apply(ReadSettings(path), style);
+  return style;
 }
 
 void WriteChartStyleFile(const std::filesystem::path& path, const ChartStyle& style)

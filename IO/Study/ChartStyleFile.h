@@ -11,13 +11,13 @@
 #include "pemeshIOStudyModule.h" // For export macro
 
 #include <filesystem>
-#include <map>
-#include <string>
+#include <vector>
 
 namespace pemesh
 {
 
 struct ChartStyle;
+struct StudyStyle;
 
 /** Throws std::runtime_error with one sentence. */
 PEMESHIOSTUDY_EXPORT ChartStyle ReadChartStyleFile(const std::filesystem::path& path);
@@ -27,11 +27,11 @@ PEMESHIOSTUDY_EXPORT void WriteChartStyleFile(
   const std::filesystem::path& path, const ChartStyle& style);
 
 /**
- * The style of a plot of a study: that of a file, if one is named (relative to `folder`), with
- * `settings` on top.
+ * Styles on top of each other, on that of the defaults: of each the file, if it names one
+ * (relative to `folder`), then its settings. Of a plot: that of its study, then its own.
  */
-PEMESHIOSTUDY_EXPORT ChartStyle MakeChartStyle(const std::filesystem::path& folder,
-  const std::string& file, const std::map<std::string, std::string>& settings);
+PEMESHIOSTUDY_EXPORT ChartStyle MakeChartStyle(
+  const std::filesystem::path& folder, const std::vector<StudyStyle>& styles);
 
 } // namespace pemesh
 

@@ -177,6 +177,14 @@ struct StudyStatistics
   bool operator==(const StudyStatistics&) const = default;
 };
 
+/** How figures look: what differs from the style beneath. */
+struct StudyStyle
+{
+  std::string File;                            // of a style, relative to the study; may be empty
+  std::map<std::string, std::string> Settings; // on top of the file: of ChartStyle, as text
+  bool operator==(const StudyStyle&) const = default;
+};
+
 /** One figure. */
 struct StudyPlot
 {
@@ -189,8 +197,7 @@ struct StudyPlot
   int Case = -1;                  // which mesh (mesh, overview); negative counts from the last one
   std::vector<int> Cases;         // whose elements (kinds of elements); empty: Case
   std::map<std::string, std::string> Options; // of ChartOptions, by name, as text
-  std::string StyleFile;                      // of a style; empty: the default
-  std::map<std::string, std::string> Style;   // what differs from it: of ChartStyle, as text
+  StudyStyle Style;                           // on top of that of the study
   bool Data = false;                          // also the numbers behind it, as CSV
   std::string Title;
   std::string File; // with extension png, svg or pdf; never empty after reading, unique
@@ -233,6 +240,7 @@ struct Study
   StudyMetrics Metrics;
   std::vector<StudySolver> Solvers;
   StudyStatistics Statistics;
+  StudyStyle Style; // of all plots
   std::vector<StudyPlot> Plots;
   StudyOutput Output;
   std::filesystem::path Folder; // of the document: what relative paths are relative to; not written

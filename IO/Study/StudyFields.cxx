@@ -117,7 +117,7 @@ const FieldTable<Study>& StudyFields()
       ListField("solvers", &Study::Solvers, SolverFields(), "Runs of solvers on every mesh."),
       ObjectField(
         "statistics", &Study::Statistics, StatisticsFields(), "How the results are correlated."),
-      ListField("plots", &Study::Plots, PlotFields(), "The figures."),
+      StudyStyleField(), ListField("plots", &Study::Plots, PlotFields(), "The figures."),
       ObjectField("output", &Study::Output, OutputFields(), "What is written.") };
     result.Finish = [](const DocumentPlace& place, Study& study)
     {

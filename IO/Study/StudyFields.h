@@ -35,6 +35,7 @@ FieldTable<StudyMesh> MeshFields();
 FieldTable<StudySolver> SolverFields();
 FieldTable<StudyStatistics> StatisticsFields();
 FieldTable<StudyPlot> PlotFields();
+Field<Study> StudyStyleField();
 ///@}
 
 /**

@@ -147,10 +147,12 @@ Study MoveStudy(const Study& study, const fs::path& folder)
       solver.Solver = MovePath(solver.Solver, study.Folder, folder);
     }
   }
+  const auto moveStyle = [&](StudyStyle& style)
+  { style.File = style.File.empty() ? style.File : MovePath(style.File, study.Folder, folder); };
+  moveStyle(moved.Style);
   for (StudyPlot& plot : moved.Plots)
   {
-    plot.StyleFile =
-      plot.StyleFile.empty() ? std::string() : MovePath(plot.StyleFile, study.Folder, folder);
+    moveStyle(plot.Style);
   }
   return moved;
 }

@@ -156,22 +156,24 @@ Field<StudyPlot> CasesField()
 }
 
 /** Named by its file, or given key by key. */
-Field<StudyPlot> StyleField()
+template <typename Owner>
+Field<Owner> StyleField(const std::string& description)
 {
   return { "style", "text or object",
-    "How it looks: the file of a style (.json, relative to the study), or keys of one: see `pemesh "
-    "list style`.",
-    [](const JsonValue& json, const DocumentPlace& place, StudyPlot& plot)
+    description +
+      ": the file of a style (.json, relative to the study), or keys of one, and \"from\" for the "
+      "file that they differ from: see `pemesh list style`.",
+    [](const JsonValue& json, const DocumentPlace& place, Owner& owner)
     {
       if (json.As<std::string>())
       {
-        plot.StyleFile = ReadText(json, place);
+        owner.Style.File = ReadText(json, place);
         return;
       }
-      plot.Style = ReadStyleKeys(json, place, plot.StyleFile);
+      owner.Style.Settings = ReadStyleKeys(json, place, owner.Style.File);
     },
-    [](const StudyPlot& plot) -> std::optional<JsonValue>
-    { return WriteStyleKeys(plot.Style, plot.StyleFile); } };
+    [](const Owner& owner) -> std::optional<JsonValue>
+    { return WriteStyleKeys(owner.Style.Settings, owner.Style.File); } };
 }
 
 Field<StudyPlot> LogarithmField()
@@ -255,11 +257,17 @@ FieldTable<StudyPlot> PlotFields()
     table.Fields.push_back(OptionField(option));
   }
   table.Fields.insert(table.Fields.end(),
-    { StyleField(), TextField("title", &StudyPlot::Title, "Written above it."), FileField(),
+    { StyleField<StudyPlot>("How it looks, on top of the style of the study"),
+      TextField("title", &StudyPlot::Title, "Written above it."), FileField(),
       BooleanField(
         "data", &StudyPlot::Data, "Whether the numbers behind it are written beside it, as CSV.")
         .Only(HasAxes, KindsWith(HasAxes)) });
   return table;
+}
+
+Field<Study> StudyStyleField()
+{
+  return StyleField<Study>("How all figures and the report look");
 }
 
 void FinishPlots(const DocumentPlace& place, Study& study)

@@ -110,6 +110,19 @@ TEST(AxisTicks, RangesAreNeverEmpty)
   }
 }
 
+TEST(AxisTicks, RangesHoldWhatIsVeryLargeOrSmall)
+{
+  for (const auto& [low, high] :
+    { std::pair{ 1e300, 2e300 }, { -5e306, 7e307 }, { 1e-300, 2e-300 }, { -3e-302, 0.0 } })
+  {
+    const pemesh::AxisRange range = pemesh::PadLinearRange(low, high);
+    EXPECT_LE(range.Low, low);
+    EXPECT_GE(range.High, high);
+    EXPECT_LT(range.High - range.Low, 1.5 * (high - low));
+    EXPECT_GE(Labels(pemesh::MakeLinearTicks(range.Low, range.High, 6)).size(), 2u) << low;
+  }
+}
+
 TEST(AxisTicks, NumbersForPeople)
 {
   EXPECT_EQ(pemesh::ReadableNumber(0.0), "0");

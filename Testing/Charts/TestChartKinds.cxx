@@ -192,7 +192,7 @@ TEST(ChartKinds, WhatIsMissingIsSaidInOneSentence)
   EXPECT_EQ(note("violin", "some undefined", ""), "Not drawn: 2 values undefined.");
   EXPECT_THAT(note("convergence", "negative", ""), HasSubstr("No order of \"a\""));
   EXPECT_THAT(note("correlation-matrix", "constant", ""),
-    HasSubstr("No correlation with a column of one value: a, b."));
+    HasSubstr("No correlation with a column of one value or none: a, b."));
 }
 
 TEST(ChartKinds, TheTableIsComplete)
@@ -268,6 +268,67 @@ TEST(ChartKinds, ConvergenceSaysTheOrderBetweenTheGivenSizes)
   EXPECT_EQ(chart->MakeDataTable()->GetValueByName(0, "Series").ToString(), "L2 error: order 2.00");
   chart->SetOption("slope-to", "nan");
   EXPECT_NE(chart->MakeDataTable()->GetValueByName(0, "Series").ToString(), "L2 error: order 2.00");
+}
+
+/** A line through meshes in no order would go to and fro. */
+TEST(ChartKinds, ConvergenceJoinsOnlyARefinement)
+{
+  for (const bool isOrdered : { true, false })
+  {
+    const std::vector<double> h = { 0.4, isOrdered ? 0.2 : 0.05, 0.1 };
+    vtkNew<vtkPEMChart> chart;
+    chart->SetTable(ChartSupport::MakeTable({ { "h", h }, { "e", { 0.16, 0.04, 0.01 } } }));
+    chart->SetKindByName("convergence");
+    chart->SetXColumn("h");
+    chart->AddYColumn("e");
+    chart->SetOption("slopes", "false");
+    PaintedPixels(chart);
+    const double x = 0.5 * (chart->GetDeviceX(h[0]) + chart->GetDeviceX(h[1]));
+    const double y = 0.5 * (chart->GetDeviceY(0.16) + chart->GetDeviceY(0.04));
+    EXPECT_EQ(static_cast<bool>(chart->Pick(x, y)), isOrdered);
+  }
+}
+
+TEST(ChartKinds, WhatHasNoColourIsSaid)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  vtkNew<vtkPEMChart> chart;
+  chart->SetTable(ChartSupport::MakeTable({ { "x", { 1, 2, 3, 4 } }, { "y", { 1, 2, 3, 4 } },
+    { "c", { 1, infinity, std::nan(""), -5 } } }));
+  chart->SetKindByName("scatter");
+  chart->SetXColumn("x");
+  chart->AddYColumn("y");
+  chart->SetColorColumn("c");
+  EXPECT_THAT(chart->GetNote(), HasSubstr("Grey: 2 values of c undefined or infinite."));
+  chart->LogColorOn();
+  EXPECT_THAT(chart->GetNote(), HasSubstr("Grey: 3 values of c"));
+}
+
+TEST(ChartKinds, ManySmallMultiplesAskForMoreHeight)
+{
+  vtkNew<vtkPEMChart> chart;
+  chart->SetTable(ChartSupport::MakeTable({ { "x", { 1, 2 } }, { "y", { 3, 4 } } }));
+  chart->SetKindByName("small-multiples");
+  chart->SetXColumn("x");
+  chart->AddYColumn("y");
+  const double ofOne = chart->GetPreferredAspect();
+  for (int i = 0; i < 8; ++i)
+  {
+    chart->AddYColumn("y");
+  }
+  EXPECT_GT(chart->GetPreferredAspect(), ofOne + 0.2);
+}
+
+TEST(ChartKinds, DistributionsOfOneValueSaySo)
+{
+  for (const char* kind : { "histogram", "box", "violin" })
+  {
+    vtkNew<vtkPEMChart> chart;
+    chart->SetTable(ChartSupport::MakeTable({ { "y", { 3.5, 3.5, std::nan("") } } }));
+    chart->SetKindByName(kind);
+    chart->AddYColumn("y");
+    EXPECT_THAT(chart->GetNote(), HasSubstr("All values of y are 3.5.")) << kind;
+  }
 }
 
 TEST(ChartKinds, FitsAreNamedWithTheirNumbers)

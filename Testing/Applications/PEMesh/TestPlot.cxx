@@ -77,7 +77,7 @@ TEST(Plot, FitsAndStylesAreInTheFigure)
   const std::string text = FileText(figure);
   EXPECT_THAT(text, HasSubstr("fit: y = 2 x^2, R² = 1"));
   EXPECT_THAT(text, HasSubstr("font-size=\"10\""));
-  EXPECT_THAT(text, HasSubstr("rgb(6.275%,12.549%,18.824%)")); // the ink
+  EXPECT_THAT(text, HasSubstr("#102030")); // the ink
   const auto data = pemesh::ReadCsvFile(folder / "fit.csv");
   EXPECT_EQ(data->GetValueByName(3, "X").ToDouble(), 0.5);
   EXPECT_EQ(data->GetValueByName(3, "Y").ToDouble(), 0.5);
@@ -125,6 +125,7 @@ TEST(Plot, StudiesDrawElementsOfSeveralMeshes)
     "polygons": [{"family": "star", "center": [0.5, 0.5]}],
     "sweep": [{"parameter": "t", "from": 0, "to": 0.6, "count": 3}],
     "mesh": {"max-area": {"rule": "constant", "value": 0.02}},
+    "style": {"palette": "vibrant"},
     "plots": [
       {"kind": "violin", "y": "MinAngle", "cases": [0, -1], "file": "violin.svg",
        "style": {"palette": "ibm"}, "data": true},
@@ -136,6 +137,8 @@ TEST(Plot, StudiesDrawElementsOfSeveralMeshes)
   EXPECT_THAT(FileText(plots / "violin.svg"), HasSubstr(">000_0.000000</text>"));
   const auto data = pemesh::ReadCsvFile(plots / "violin.csv");
   EXPECT_GT(data->GetNumberOfRows(), 300);
-  EXPECT_TRUE(fs::exists(plots / "elements.svg"));
-  EXPECT_TRUE(fs::exists(plots / "multiples.svg"));
+  // The style of the study, and of one plot its own on top.
+  EXPECT_THAT(FileText(plots / "elements.svg"), HasSubstr("#0077bb"));
+  EXPECT_THAT(FileText(plots / "multiples.svg"), HasSubstr("#0077bb"));
+  EXPECT_THAT(FileText(plots / "violin.svg"), HasSubstr("#648fff"));
 }

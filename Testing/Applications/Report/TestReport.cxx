@@ -38,7 +38,8 @@ fs::path WriteHostileFolder(const std::string& name)
   std::ofstream(folder / "findings.csv")
     << "Performance,Metric,Rank,N,Words,Sentence,Joint\n"
        "run_error,Area_min,1,3,strong positive,\"Area_min: <strong> positive.\",No joint model.\n";
-  std::ofstream(folder / "correlation.csv") << "X,Y,Note\nArea_min,run_error,\"a <note>\"\n";
+  std::ofstream(folder / "correlation.csv") << "X,Y,Words\nArea_min,run_error,strong positive\n";
+  std::ofstream(folder / "findings.txt") << "run_error (3 rows)\n\nNote: a <note>.\n";
   return folder;
 }
 
@@ -100,7 +101,7 @@ void CheckPage(const std::string& page)
   }
   EXPECT_THAT(page, HasSubstr("@media print"));
   EXPECT_THAT(page, HasSubstr("prefers-color-scheme: dark"));
-  EXPECT_LT(page.size(), 3000000U);
+  EXPECT_LT(page.size(), 2000000U);
 }
 
 TEST(Report, OfAStudyHoldsAllOfIt)
@@ -138,6 +139,36 @@ TEST(Report, TellsTheObservedOrder)
   const std::string page = pages::Page(WriteHostileFolder("order"));
   EXPECT_THAT(page, HasSubstr("The mesh size varies from 0.1 to 0.4."));
   EXPECT_THAT(page, HasSubstr(">run_error</td>\n<td class=\"number\">2</td>"));
+}
+
+/** One performance of two runs: one chart with a colour each, and not one chart each. */
+TEST(Report, ComparesSolversAndShowsTheHeatMap)
+{
+  const fs::path folder = pemesh::FreshFolder("two-solvers");
+  std::ofstream(folder / "study.json") << R"({"pemesh": 1, "name": "two", "meshes": ["*.off"],
+    "style": {"palette": "ibm"},
+    "solvers": [{"solver": "pemesh-vem", "name": "low"}, {"solver": "pemesh-vem", "name": "high"}]})";
+  std::ofstream results(folder / "results.csv");
+  results << "Index,Mesh,MeshSize,Area_min,Area_max,Area_mean,low_error,high_error,low_dofs\n";
+  for (int i = 0; i < 8; ++i)
+  {
+    results << i << ",m" << i << ",0.3," << 1 + i << "," << 2 + i << "," << 1.5 + i << ","
+            << 1.0 / (1 + i) << "," << 0.1 / (1 + i * i) << "," << 100 + i % 3 << "\n";
+  }
+  results.close();
+  std::ofstream findings(folder / "findings.csv");
+  findings << "Performance,Metric,Rank,N,Words,Sentence,Joint\n";
+  for (const char* run : { "low_error", "high_error", "low_dofs" })
+  {
+    findings << run << ",Area_min,1,8,strong,s,j\n" << run << ",Area_max,2,8,strong,s,j\n";
+  }
+  findings.close();
+  const std::string page = pages::Page(folder);
+  CheckPage(page);
+  EXPECT_THAT(page, HasSubstr("Heat map of a matrix of correlation"));
+  EXPECT_THAT(page, HasSubstr("Scatter chart coloured by solver"));
+  EXPECT_THAT(page, HasSubstr("low from 0.13 to 1; high from 0.002 to 0.1"));
+  EXPECT_THAT(page, HasSubstr("%23648fff")) << "the first colour of the palette of the study";
 }
 
 TEST(Report, OfWhatIsNoStudyIsASentence)

@@ -191,6 +191,76 @@ TEST(FamilyIntervals, RanksOfResamplesAreThoseOfTheRowsDrawn)
   EXPECT_NEAR(quick[0].Low, coefficients[9] + 0.95 * (coefficients[10] - coefficients[9]), 1e-12);
 }
 
+/** All pairs at once, with values missing here and there, against one coefficient at a time. */
+TEST(FamilyIntervals, OfManyPairsAreThoseOfEachAlone)
+{
+  std::mt19937_64 bits(9);
+  pemesh::PairsOfColumns pairs;
+  for (int column = 0; column < 6; ++column)
+  {
+    pairs.Columns.push_back(brute::RandomSample(bits, 24, 40));
+    for (std::size_t other = 0; other < pairs.Columns.size() - 1; ++other)
+    {
+      pairs.Pairs.emplace_back(pairs.Columns.size() - 1, other);
+    }
+  }
+  pairs.Columns[1][3] = NaN;
+  pairs.Columns[4][3] = pairs.Columns[4][20] = NaN;
+  const pemesh::RowFamilies families = pemesh::SingleRows(24);
+  for (const std::vector<std::size_t>& given :
+    { std::vector<std::size_t>{}, { 5 }, { 5, 0 }, { 5, 5 } })
+  {
+    pairs.Given = given;
+    for (const char* kind : { "spearman", "pearson", "kendall" })
+    {
+      const auto quick = pemesh::FamilyIntervals(pairs, Kind(kind), families, 60, 0.9, 3);
+      std::mt19937_64 draws(3);
+      std::vector<Sample> values(pairs.Pairs.size());
+      for (int sample = 0; sample < 60; ++sample)
+      {
+        const std::vector<int> times = pemesh::DrawFamilies(families, 24, draws);
+        std::vector<Sample> drawn(pairs.Columns.size());
+        for (std::size_t column = 0; column < drawn.size(); ++column)
+        {
+          for (std::size_t row = 0; row < 24; ++row)
+          {
+            drawn[column].insert(drawn[column].end(), static_cast<std::size_t>(times[row]),
+              pairs.Columns[column][row]);
+          }
+        }
+        std::vector<std::span<const double>> fixed;
+        for (const std::size_t column : given)
+        {
+          fixed.emplace_back(drawn[column]);
+        }
+        for (std::size_t pair = 0; pair < values.size(); ++pair)
+        {
+          const auto [x, y] = pairs.Pairs[pair];
+          const double value = pemesh::CoefficientGiven(Kind(kind), drawn[x], drawn[y], fixed);
+          if (!std::isnan(value))
+          {
+            values[pair].push_back(value);
+          }
+        }
+      }
+      for (std::size_t pair = 0; pair < values.size(); ++pair)
+      {
+        if (values[pair].size() < 54)
+        {
+          EXPECT_TRUE(std::isnan(quick[pair].Low)) << kind << pair;
+          continue;
+        }
+        std::sort(values[pair].begin(), values[pair].end());
+        const double place = 0.05 * static_cast<double>(values[pair].size() - 1);
+        const auto below = static_cast<std::size_t>(place);
+        const double low = values[pair][below] +
+          (place - static_cast<double>(below)) * (values[pair][below + 1] - values[pair][below]);
+        EXPECT_NEAR(quick[pair].Low, low, 1e-9) << kind << pair;
+      }
+    }
+  }
+}
+
 TEST(FamilyIntervals, NeedFourFamilies)
 {
   const pemesh::RowFamilies three{ { 0, 1, 2, 3, 4 }, { 5, 6, 7, 8, 9 }, { 10, 11, 12, 13, 14 } };
@@ -216,11 +286,13 @@ TEST(FamilyTests, AreTheSameBitsForAnyNumberOfThreads)
   {
     pemesh::SetNumberOfThreads(threads);
     std::vector<double> all = pemesh::FamilyPValues(pairs, Kind("pearson"), families, 99, 2);
-    for (const auto& [low, high] :
-      pemesh::FamilyIntervals(pairs, Kind("kendall"), families, 99, 0.9, 2))
+    for (const char* kind : { "kendall", "spearman" })
     {
-      all.push_back(low);
-      all.push_back(high);
+      for (const auto& [low, high] :
+        pemesh::FamilyIntervals(pairs, Kind(kind), families, 99, 0.9, 2))
+      {
+        all.insert(all.end(), { low, high });
+      }
     }
     pemesh::SetNumberOfThreads(0);
     return all;

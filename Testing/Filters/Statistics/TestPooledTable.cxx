@@ -4,9 +4,14 @@
 
 #include "ColumnRoles.h"
 #include "TestTables.h"
+#include "vtkPEMCorrelation.h"
+#include "vtkPEMJoinedTable.h"
+#include "vtkPEMPooledTable.h"
 
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkIdTypeArray.h>
+#include <vtkTestErrorObserver.h>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -106,6 +111,49 @@ TEST(PooledTable, MeshesOfSeveralStudiesNeedTheStudy)
   AddColumn<vtkStringArray>(mine, "Study", { "star" });
   EXPECT_EQ(Complaint(pooled, mine), "");
   EXPECT_EQ(pemesh::ColumnNumbers(pooled, "e")[1], 5.0);
+}
+
+/** In a pipeline: pooled, joined, correlated with the studies as families. */
+TEST(PooledTable, PoolingAndJoiningAreFilters)
+{
+  vtkNew<vtkPEMPooledTable> pooled;
+  pooled->AddInputDataObject(0, Results({ "a", "b" }, { 1, 2 }));
+  pooled->AddInputDataObject(0, Results({ "a", "b" }, { 5, 3 }));
+  pooled->SetStudyNames({ "comb", "star" });
+  vtkNew<vtkTable> mine;
+  AddColumn<vtkStringArray>(mine, "Study", { "star", "star", "comb", "comb" });
+  AddColumn<vtkStringArray>(mine, "Mesh", { "b", "a", "b", "a" });
+  AddColumn<vtkDoubleArray>(mine, "iterations", { 30, 50, 20, 10 });
+  vtkNew<vtkPEMJoinedTable> joined;
+  joined->SetInputConnection(0, pooled->GetOutputPort());
+  joined->SetInputData(1, mine);
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputConnection(joined->GetOutputPort());
+  correlation->Update();
+  EXPECT_EQ(
+    pemesh::ColumnTexts(joined->GetOutput(), "Study"), (Strings{ "comb", "comb", "star", "star" }));
+  EXPECT_EQ(ColumnNames(pooled->GetOutput()), (Strings{ "Study", "Mesh", "Area_min" }))
+    << "joining leaves its input as it was";
+  vtkTable* pairs = correlation->GetOutput();
+  ASSERT_EQ(pairs->GetNumberOfRows(), 1);
+  EXPECT_EQ(pairs->GetValueByName(0, "Pearson").ToDouble(), 1.0);
+  EXPECT_EQ(pairs->GetValueByName(0, "Families").ToInt(), 2);
+
+  vtkNew<vtkTest::ErrorObserver> errors;
+  for (vtkAlgorithm* filter :
+    { static_cast<vtkAlgorithm*>(pooled), static_cast<vtkAlgorithm*>(joined) })
+  {
+    filter->AddObserver(vtkCommand::ErrorEvent, errors);
+    filter->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, errors);
+  }
+  joined->SetSourceName("mine.csv");
+  joined->SetInputData(1, Results({ "c" }, { 1 }));
+  EXPECT_EQ(joined->GetExecutive()->Update(), 0);
+  EXPECT_THAT(errors->GetErrorMessage(), HasSubstr("\"mine.csv\""));
+  errors->Clear();
+  pooled->AddStudyName("third");
+  EXPECT_EQ(pooled->GetExecutive()->Update(), 0);
+  EXPECT_THAT(errors->GetErrorMessage(), HasSubstr("3 names of studies for 2 tables"));
 }
 
 TEST(ColumnRoles, AreToldByTheName)

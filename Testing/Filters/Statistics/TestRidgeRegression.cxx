@@ -4,6 +4,7 @@
 
 #include "BruteForce.h"
 #include "CoefficientKinds.h"
+#include "Correlation.h"
 #include "KnownSamples.h"
 #include "PartialCorrelation.h"
 
@@ -12,11 +13,16 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <random>
 
 namespace
 {
 
 using brute::Sample;
+using known::CarMiles;
+using known::CarPowers;
+using known::CarWeights;
 using testing::HasSubstr;
 
 /** Solves a small system by elimination with pivots: no library the code under test uses. */
@@ -214,9 +220,6 @@ TEST(PartialCorrelation, OfCarsIsThatOfR)
 {
   // R's ppcor: pcor.test(mpg, wt, hp) is -0.7512; by NumPy from the inverse correlation matrix
   // -0.7512049049618656, of ranks -0.6844151608419109.
-  using known::CarMiles;
-  using known::CarPowers;
-  using known::CarWeights;
   EXPECT_NEAR(
     pemesh::PartialCorrelation(CarMiles, CarWeights, { CarPowers }), -0.7512049049618656, 1e-12);
   const auto& spearman = *pemesh::FindCoefficientKind("spearman");
@@ -227,6 +230,87 @@ TEST(PartialCorrelation, OfCarsIsThatOfR)
   // Named twice, it is held fixed once.
   EXPECT_NEAR(pemesh::PartialCorrelation(CarMiles, CarWeights, { CarPowers, CarPowers }),
     -0.7512049049618656, 1e-12);
+}
+
+double Tau(const std::vector<double>& x, const std::vector<double>& y)
+{
+  return pemesh::KendallTauB(pemesh::CountKendallPairs(x, y));
+}
+
+/** Kendall's formula, and for two given samples its recursion. */
+TEST(PartialKendall, IsThatOfKendallsFormula)
+{
+  const auto given = [](double xy, double xz, double yz)
+  { return (xy - xz * yz) / std::sqrt((1 - xz * xz) * (1 - yz * yz)); };
+  const double plain = Tau(CarMiles, CarWeights);
+  const double one = given(plain, Tau(CarMiles, CarPowers), Tau(CarWeights, CarPowers));
+  EXPECT_NEAR(pemesh::PartialKendall(CarMiles, CarWeights, { CarPowers }), one, 1e-12);
+  EXPECT_NEAR(pemesh::PartialKendall(CarMiles, CarWeights, { CarPowers, CarPowers }), one, 1e-12);
+  EXPECT_NEAR(pemesh::PartialKendall(CarMiles, CarWeights, {}), plain, 1e-12);
+  std::vector<double> noise;
+  std::mt19937_64 bits(4);
+  for (std::size_t i = 0; i < CarMiles.size(); ++i)
+  {
+    noise.push_back(static_cast<double>(bits() % 1000));
+  }
+  const double milesNoise =
+    given(Tau(CarMiles, noise), Tau(CarMiles, CarPowers), Tau(noise, CarPowers));
+  const double weightsNoise =
+    given(Tau(CarWeights, noise), Tau(CarWeights, CarPowers), Tau(noise, CarPowers));
+  EXPECT_NEAR(pemesh::PartialKendall(CarMiles, CarWeights, { CarPowers, noise }),
+    given(one, milesNoise, weightsNoise), 1e-12);
+  EXPECT_TRUE(std::isnan(pemesh::PartialKendall(CarMiles, CarWeights, { CarMiles })));
+}
+
+/** U-centred distances by their definition, each a whole matrix. */
+std::vector<double> CentredDistances(const std::vector<double>& x)
+{
+  const std::size_t n = x.size();
+  const auto size = static_cast<double>(n);
+  std::vector<double> sums(n, 0.0);
+  double total = 0.0;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      sums[i] += std::fabs(x[i] - x[j]);
+    }
+    total += sums[i];
+  }
+  std::vector<double> centred;
+  for (std::size_t i = 0; i < n; ++i)
+  {
+    for (std::size_t j = 0; j < n; ++j)
+    {
+      centred.push_back(i == j ? 0.0
+                               : std::fabs(x[i] - x[j]) - sums[i] / (size - 2) -
+            sums[j] / (size - 2) + total / ((size - 1) * (size - 2)));
+    }
+  }
+  return centred;
+}
+
+double Product(const std::vector<double>& a, const std::vector<double>& b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
+}
+
+TEST(PartialDistanceCorrelation, IsThatOfTheDefinition)
+{
+  const auto a = CentredDistances(CarMiles);
+  const auto b = CentredDistances(CarWeights);
+  const auto c = CentredDistances(CarPowers);
+  const auto cosine = [](const auto& u, const auto& v)
+  { return Product(u, v) / std::sqrt(Product(u, u) * Product(v, v)); };
+  const double ab = cosine(a, b);
+  const double ac = cosine(a, c);
+  const double bc = cosine(b, c);
+  const double squared = (ab - ac * bc) / std::sqrt((1 - ac * ac) * (1 - bc * bc));
+  ASSERT_GT(squared, 0.0);
+  EXPECT_NEAR(pemesh::PartialDistanceCorrelation(CarMiles, CarWeights, { CarPowers }),
+    std::sqrt(squared), 1e-9);
+  // What depends on the given sample alone has nothing left in common.
+  EXPECT_TRUE(std::isnan(pemesh::PartialDistanceCorrelation(CarMiles, CarWeights, { CarMiles })));
 }
 
 TEST(PartialCorrelation, IsUndefinedWhereNothingIsLeft)

@@ -83,18 +83,31 @@ TEST(StudyPlots, ElementsComeFromCases)
 
 TEST(StudyPlots, StylesAreFilesOrKeys)
 {
-  EXPECT_EQ(Read(R"({"kind": "line", "y": "a", "style": "paper.json"})").StyleFile, "paper.json");
+  EXPECT_EQ(Read(R"({"kind": "line", "y": "a", "style": "paper.json"})").Style.File, "paper.json");
   const auto plot = Read(
     R"({"kind": "line", "y": "a", "style": {"from": "paper.json", "font-size": 9, "frame": true}})");
-  EXPECT_EQ(plot.StyleFile, "paper.json");
-  EXPECT_EQ(plot.Style.at("font-size"), "9");
-  EXPECT_EQ(plot.Style.at("frame"), "true");
+  EXPECT_EQ(plot.Style.File, "paper.json");
+  EXPECT_EQ(plot.Style.Settings.at("font-size"), "9");
+  EXPECT_EQ(plot.Style.Settings.at("frame"), "true");
   EXPECT_EQ(Complaint(R"({"kind": "line", "y": "a", "style": {"pallete": "ibm"}})"),
     "\"s.json\": plots[0].style.pallete is not a key; did you mean palette?");
   EXPECT_EQ(Complaint(R"({"kind": "line", "y": "a", "style": {"font-size": 900}})"),
     "\"s.json\": plots[0].style.font-size is \"900\"; it must be a number from 3 to 72.");
   EXPECT_THAT(Complaint(R"({"kind": "line", "y": "a", "style": {"ink": "black"}})"),
     HasSubstr("must be a colour like #1f77b4"));
+}
+
+TEST(StudyPlots, AStudyHasAStyleForAllItsPlots)
+{
+  const pemesh::Study study = pemesh::ParseStudy(
+    R"({"pemesh": 1, "polygons": [], "style": {"from": "paper.json", "palette": "ibm"}})",
+    "s.json");
+  EXPECT_EQ(study.Style.File, "paper.json");
+  EXPECT_EQ(study.Style.Settings.at("palette"), "ibm");
+  EXPECT_EQ(pemesh::ParseStudy(pemesh::FormatStudy(study), "s.json").Style, study.Style);
+  EXPECT_THROW(
+    pemesh::ParseStudy(R"({"pemesh": 1, "polygons": [], "style": {"palette": "no"}})", "s.json"),
+    std::exception);
 }
 
 TEST(StudyPlots, StyleFilesKeepEverySetting)
@@ -110,9 +123,14 @@ TEST(StudyPlots, StyleFilesKeepEverySetting)
   style.Width = 8.5;
   pemesh::WriteChartStyleFile(folder / "style.json", style);
   EXPECT_EQ(pemesh::ReadChartStyleFile(folder / "style.json"), style);
-  const auto changed = pemesh::MakeChartStyle(folder, "style.json", { { "width", "17" } });
+  const auto changed = pemesh::MakeChartStyle(folder, { { "style.json", { { "width", "17" } } } });
   EXPECT_EQ(changed.Width, 17.0);
   EXPECT_EQ(changed.Palette, "muted");
+  // A file on top of another style changes only what it names.
+  const auto layered = pemesh::MakeChartStyle(
+    folder, { { "", { { "palette", "ibm" }, { "legend", "right" } } }, { "style.json", {} } });
+  EXPECT_EQ(layered.Palette, "muted");
+  EXPECT_EQ(layered.Legend, "right");
   pemesh::WriteChartStyleFile(folder / "standard.json", pemesh::ChartStyle());
   EXPECT_EQ(pemesh::ReadTextFile(folder / "standard.json"), "{\n}\n"); // only what differs
   pemesh::WriteTextFile(folder / "wrong.json", "{\"grid\": \"mayor\"}");
