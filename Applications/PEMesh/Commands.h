@@ -45,6 +45,9 @@ void AddConvergenceCommand(CLI::App& program, int& exitCode);
 /** check: what is wrong with mesh files. */
 void AddCheckCommand(CLI::App& program, int& exitCode);
 
+/** convert: mesh files into another format. */
+void AddConvertCommand(CLI::App& program, int& exitCode);
+
 /** solvers check: a solver on a tiny mesh. */
 void AddSolversCommand(CLI::App& program, int& exitCode);
 

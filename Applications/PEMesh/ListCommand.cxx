@@ -11,6 +11,7 @@
 #include "Commands.h"
 #include "DomainShapes.h"
 #include "MeshChecks.h"
+#include "MeshFormats.h"
 #include "MeshMetrics.h"
 #include "MetricRegistry.h"
 #include "NumberText.h"
@@ -272,6 +273,25 @@ Json PlotOptionsAsJson()
   return SettingsAsJson(ChartOptionFields());
 }
 
+Json FormatsAsJson()
+{
+  Json list = Json::array();
+  for (const MeshFormat& format : MeshFormats())
+  {
+    std::string files;
+    for (const char* extension : format.Extensions)
+    {
+      files += (files.empty() ? "" : " ") + std::string(extension);
+    }
+    const int most = format.MostCorners;
+    list.push_back({ { "name", format.Name }, { "label", format.Label }, { "files", files },
+      { "elements", most == 0 ? "any" : "up to " + std::to_string(most) + " vertices" },
+      { "keeps-vertices", format.KeepsVertices }, { "keeps-arrays", format.KeepsArrays },
+      { "description", format.Description }, { "reference", format.Reference } });
+  }
+  return list;
+}
+
 /** A table for people: a line an entry, the keys of `columns` side by side. */
 void PrintTable(const Json& list, const std::vector<std::string>& columns)
 {
@@ -349,6 +369,7 @@ const std::vector<Listing>& Listings()
     { "charts", ChartsAsJson, { "name", "columns", "description" } },
     { "chart-options", PlotOptionsAsJson, { "name", "type", "default", "description" } },
     { "style", StyleAsJson, { "name", "type", "default", "description" } },
+    { "formats", FormatsAsJson, { "name", "files", "elements", "label" } },
     { "checks", ChecksAsJson, { "name", "severity", "description" } },
   };
   return listings;
@@ -372,7 +393,7 @@ void AddListCommand(CLI::App& program, int& exitCode)
   }
   CLI::App* command = program.add_subcommand("list",
     "List polygon families, domains, sources of meshes, rules, metrics, checks, solvers, test "
-    "problems, kinds of charts, settings of their style and more");
+    "problems, kinds of charts, mesh formats, settings of their style and more");
   command->add_option("WHAT", arguments->What, "What to list")
     ->required()
     ->check(CLI::IsMember(names));

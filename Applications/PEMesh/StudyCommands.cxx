@@ -4,6 +4,7 @@
  * run, generate and solve: studies, handed to the Runner.
  */
 #include "Commands.h"
+#include "MeshFormats.h"
 #include "Terminal.h"
 #include "vtkPEMRunner.h"
 
@@ -176,9 +177,10 @@ void AddGenerate(CLI::App& program, int& exitCode)
   command->add_option("-o,--output", arguments->Output, "Folder for the meshes")->required();
   AddRunOptions(command, *arguments);
   command
-    ->add_option("--format", arguments->Formats, "off, obj, stl, node or vtp; several with commas")
+    ->add_option(
+      "--format", arguments->Formats, "Names of formats, with commas (see pemesh list formats)")
     ->delimiter(',')
-    ->check(CLI::IsMember({ "off", "obj", "stl", "node", "vtp" }));
+    ->check(CLI::IsMember(MeshFormatNames()));
   command->callback(
     [arguments, &exitCode]
     {

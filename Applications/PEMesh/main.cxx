@@ -27,6 +27,7 @@ int RunProgram(int argc, char** argv)
   pemesh::AddMetricsCommand(program, exitCode);
   pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddCheckCommand(program, exitCode);
+  pemesh::AddConvertCommand(program, exitCode);
   pemesh::AddCorrelateCommand(program, exitCode);
   pemesh::AddPlotCommand(program, exitCode);
   pemesh::AddReportCommand(program, exitCode);

@@ -94,8 +94,7 @@ fs::path FileOfMesh(const ReportContents& contents, const std::string& name)
   for (const MeshFormat& format : MeshFormats())
   {
     const fs::path file = stem.string() + format.Extensions.front();
-    const bool hasArrays = std::string(format.Name) == "vtp";
-    if ((found.empty() || hasArrays) && fs::exists(file))
+    if ((found.empty() || format.KeepsArrays) && fs::exists(file))
     {
       found = file;
     }

@@ -7,6 +7,7 @@
 #include "FamilyGallery.h"
 #include "Icons.h"
 #include "LayoutCanvas.h"
+#include "MeshFormats.h"
 #include "OptionForm.h"
 #include "PolygonTableModel.h"
 #include "StudyModel.h"
@@ -104,7 +105,8 @@ QWidget* MeshPage::MakeLeft()
     [this]
     {
       const QString file = QFileDialog::getOpenFileName(this, tr("Add the polygon of a file"), {},
-        tr("Polygons (*.off *.obj *.stl *.node *.vtp *.csv *.txt *.xy);;All files (*)"));
+        tr("Polygons (%1 *.csv *.txt *.xy);;All files (*)")
+          .arg(QString::fromStdString(ListMeshExtensions("*"))));
       if (!file.isEmpty())
       {
         this->AddPolygonFile(file);

@@ -45,19 +45,7 @@ qint64 EndedProcess(const QFileInfo& file)
 
 QString MeshFilter()
 {
-  QStringList patterns;
-  for (const MeshFormat& format : MeshFormats())
-  {
-    for (const char* extension : format.Extensions)
-    {
-      const QString pattern = QLatin1Char('*') + QLatin1String(extension);
-      if (!patterns.contains(pattern))
-      {
-        patterns << pattern;
-      }
-    }
-  }
-  return Session::tr("Meshes (%1)").arg(patterns.join(QLatin1Char(' ')));
+  return Session::tr("Meshes (%1)").arg(QString::fromStdString(ListMeshExtensions("*")));
 }
 
 } // namespace

@@ -154,8 +154,9 @@ void StudioWindow::MakeHelpMenu()
 void StudioWindow::SaveMesh()
 {
   const MeshPicturePointer picture = this->Preview->GetPicture();
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save mesh"),
-    QStringLiteral("mesh.off"), tr("Meshes (*.off *.obj *.stl *.node *.vtp)"));
+  const QString file =
+    QFileDialog::getSaveFileName(this, tr("Save mesh"), QStringLiteral("mesh.off"),
+      tr("Meshes (%1)").arg(QString::fromStdString(ListMeshExtensions("*"))));
   if (file.isEmpty() || !picture)
   {
     return;

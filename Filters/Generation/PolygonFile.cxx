@@ -235,8 +235,8 @@ std::vector<std::vector<Point2>> ReadPolygonFile(const std::filesystem::path& pa
   if (!FindMeshFormatOfFile(path))
   {
     throw std::runtime_error("\"" + path.string() +
-      "\" has no extension of a file of polygons; known are .csv .txt .xy for points, and .off "
-      ".obj .stl .node .ele .vtp for meshes.");
+      "\" has no extension of a file of polygons; known are .csv .txt .xy for points, and " +
+      ListMeshExtensions() + " for meshes.");
   }
   return ElementsOf(path);
 }

@@ -4,7 +4,7 @@
  * Polygons from files: of a mesh file each element is one, of a table of points each block of
  * lines.
  *
- * Mesh files are all that IO/Mesh reads: OFF, OBJ, STL, NODE and ELE, VTP. A table of points has
+ * Mesh files are all that IO/Mesh reads: MeshFormats.h. A table of points has
  * the extension csv, txt or xy and one vertex a line: x and y, separated by a comma, a semicolon
  * or blanks, numbers with a decimal point. Its first line may be the header x,y; # begins a
  * comment; empty lines end a polygon, so that a file can hold several. A last vertex that repeats

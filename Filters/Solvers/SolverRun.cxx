@@ -43,8 +43,8 @@ const MeshFormat& NeedFormat(const std::string& name)
   if (!format->KeepsVertices)
   {
     throw std::runtime_error("The solver's mesh format \"" + name +
-      "\" does not keep the order of the vertices, by which the solution is read; use off, obj, "
-      "node or vtp.");
+      "\" does not keep the order of the vertices, by which the solution is read; use another "
+      "one, such as off.");
   }
   return *format;
 }

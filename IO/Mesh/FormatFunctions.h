@@ -31,6 +31,22 @@ void WriteStl(const std::filesystem::path& path, vtkPolyData* mesh);
 vtkSmartPointer<vtkPolyData> ReadVtp(const std::filesystem::path& path);
 void WriteVtp(const std::filesystem::path& path, vtkPolyData* mesh);
 
+vtkSmartPointer<vtkPolyData> ReadVtu(const std::filesystem::path& path);
+void WriteVtu(const std::filesystem::path& path, vtkPolyData* mesh);
+
+vtkSmartPointer<vtkPolyData> ReadVtkLegacy(const std::filesystem::path& path);
+void WriteVtkLegacy(const std::filesystem::path& path, vtkPolyData* mesh);
+
+vtkSmartPointer<vtkPolyData> ReadPly(const std::filesystem::path& path);
+void WritePly(const std::filesystem::path& path, vtkPolyData* mesh);
+
+vtkSmartPointer<vtkPolyData> ReadGmsh(const std::filesystem::path& path);
+void WriteGmsh(const std::filesystem::path& path, vtkPolyData* mesh);
+
+vtkSmartPointer<vtkPolyData> ReadMat(const std::filesystem::path& path);
+void WriteMat(const std::filesystem::path& path, vtkPolyData* mesh);
+void WriteMatNodeElem(const std::filesystem::path& path, vtkPolyData* mesh);
+
 } // namespace pemesh
 
 #endif

@@ -87,6 +87,30 @@ bool LineScanner::NextLine()
   return false;
 }
 
+void LineScanner::EndLine()
+{
+  while (this->Position != this->End && *this->Position != '\n' && *this->Position != '\r')
+  {
+    ++this->Position;
+  }
+  if (this->Position != this->End)
+  {
+    this->SkipLineEnd();
+  }
+  this->Started = false;
+}
+
+std::string_view LineScanner::TakeBytes(std::size_t count)
+{
+  if (count > this->BytesLeft())
+  {
+    this->Fail("the file ends before the " + std::to_string(count) + " bytes announced");
+  }
+  const std::string_view bytes(this->Position, count);
+  this->Position += count;
+  return bytes;
+}
+
 void LineScanner::NeedLine(const char* what)
 {
   if (!this->NextLine())
@@ -248,6 +272,37 @@ std::size_t GuessTextSize(vtkPolyData* mesh)
   return 4096 + bytesOfVertex * static_cast<std::size_t>(mesh->GetNumberOfPoints()) +
     bytesOfCorner *
     static_cast<std::size_t>(polygons->GetNumberOfConnectivityIds() + mesh->GetNumberOfPolys());
+}
+
+void AppendVertices(TextBuffer& text, std::string_view prefix, vtkPolyData* mesh)
+{
+  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(i, point);
+    text.Append(prefix);
+    text.AppendValue(point[0]);
+    text.Append(' ');
+    text.AppendValue(point[1]);
+    text.Append(" 0\n");
+  }
+}
+
+void AppendElements(TextBuffer& text, vtkPolyData* mesh, vtkIdType first)
+{
+  ElementAccess elements(mesh);
+  std::vector<vtkIdType> ids;
+  for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)
+  {
+    elements.GetVertexIds(i, ids);
+    text.AppendValue(ids.size());
+    for (const vtkIdType id : ids)
+    {
+      text.Append(' ');
+      text.AppendValue(id + first);
+    }
+    text.Append('\n');
+  }
 }
 
 void CheckWritable(const std::filesystem::path& path, vtkPolyData* mesh)

@@ -37,6 +37,11 @@ public:
     , Path(path)
     , Continuation(continuation)
   {
+    constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
+    if (text.substr(0, byteOrderMark.size()) == byteOrderMark)
+    {
+      this->Position += byteOrderMark.size();
+    }
   }
 
   /** Goes to the next line that holds anything; false at the end of the file. */
@@ -89,6 +94,21 @@ public:
 
   /** An error unless nothing more is on this line. */
   void NeedLineEnd(const char* after);
+
+  /** Goes to the next line, wherever in this one it is, and no further, blank as it may be. */
+  void EndLine();
+
+  /** Goes on to the next line that holds anything where nothing more is on this one. */
+  void NeedWord(const char* what)
+  {
+    if (this->AtLineEnd())
+    {
+      this->NeedLine(what);
+    }
+  }
+
+  /** The next bytes whatever they are, after EndLine(); an error where there are not as many. */
+  std::string_view TakeBytes(std::size_t count);
 
   /** How many bytes are left: no file holds more things than bytes. */
   std::size_t BytesLeft() const { return static_cast<std::size_t>(this->End - this->Position); }
@@ -171,6 +191,12 @@ private:
 
 /** The bytes that a text file of the mesh may take, roughly. */
 std::size_t GuessTextSize(vtkPolyData* mesh);
+
+/** A line for each vertex: "x y 0" behind a prefix. */
+void AppendVertices(TextBuffer& text, std::string_view prefix, vtkPolyData* mesh);
+
+/** A line for each element: the number of its vertices and the vertices, counted from `first`. */
+void AppendElements(TextBuffer& text, vtkPolyData* mesh, vtkIdType first);
 
 /** Throws unless the mesh can be written as text: polygons only, finite, planar. */
 void CheckWritable(const std::filesystem::path& path, vtkPolyData* mesh);

@@ -16,6 +16,7 @@
  */
 #include "FormatFunctions.h"
 
+#include "BoundaryVertices.h"
 #include "ElementAccess.h"
 #include "MeshBuilder.h"
 #include "MeshText.h"
@@ -23,7 +24,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 #include <vector>
 
 #include <vtkCellArray.h>
@@ -241,42 +241,13 @@ private:
   bool Indexed = false;
 };
 
-/** For each vertex 1 if it is an end of an edge that only one element has, else 0. */
-std::vector<char> BoundaryMarkers(vtkPolyData* mesh)
-{
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
-  ElementAccess elements(mesh);
-  std::vector<vtkIdType> ids;
-  for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)
-  {
-    elements.GetVertexIds(i, ids);
-    for (std::size_t j = 0; j < ids.size(); ++j)
-    {
-      edges.push_back(std::minmax({ ids[j], ids[(j + 1) % ids.size()] }));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  std::vector<char> markers(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
-  for (std::size_t i = 0; i < edges.size(); ++i)
-  {
-    const bool shared =
-      (i > 0 && edges[i] == edges[i - 1]) || (i + 1 < edges.size() && edges[i] == edges[i + 1]);
-    if (!shared)
-    {
-      markers[static_cast<std::size_t>(edges[i].first)] = 1;
-      markers[static_cast<std::size_t>(edges[i].second)] = 1;
-    }
-  }
-  return markers;
-}
-
 void WriteNodeFile(const std::filesystem::path& path, vtkPolyData* mesh, bool standard)
 {
   TextBuffer text;
   text.Reserve(GuessTextSize(mesh));
   text.AppendValue(mesh->GetNumberOfPoints());
   text.Append(standard ? " 2 0 1\n" : " 0\n");
-  const std::vector<char> markers = standard ? BoundaryMarkers(mesh) : std::vector<char>();
+  const std::vector<char> markers = standard ? MarkBoundaryVertices(mesh) : std::vector<char>();
   for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
   {
     double point[3];

@@ -140,16 +140,7 @@ void WriteObj(const std::filesystem::path& path, vtkPolyData* mesh)
   CheckWritable(path, mesh);
   TextBuffer text;
   text.Reserve(GuessTextSize(mesh));
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    text.Append("v ");
-    text.AppendValue(point[0]);
-    text.Append(' ');
-    text.AppendValue(point[1]);
-    text.Append(" 0\n");
-  }
+  AppendVertices(text, "v ", mesh);
   ElementAccess elements(mesh);
   std::vector<vtkIdType> ids;
   for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)

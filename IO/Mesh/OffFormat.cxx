@@ -7,7 +7,6 @@
  */
 #include "FormatFunctions.h"
 
-#include "ElementAccess.h"
 #include "MeshBuilder.h"
 #include "MeshText.h"
 #include "TextFile.h"
@@ -25,14 +24,25 @@ namespace
 constexpr std::size_t LeastBytesOfVertex = 6; // "0 0 0\n"
 constexpr std::size_t LeastBytesOfFace = 8;   // "3 0 1 2\n"
 
+bool IsNumber(std::string_view word)
+{
+  return !word.empty() && word.find_first_not_of("+-0123456789") == std::string_view::npos;
+}
+
 /** Whether vertices carry normals, colours or texture coordinates after their position. */
 bool ReadHeader(LineScanner& file)
 {
   file.NeedLine("the word OFF");
-  const std::string_view word = file.PeekWord();
+  std::string word(file.PeekWord());
+  if (IsNumber(word))
+  {
+    return false; // some programs begin with the counts
+  }
+  std::transform(word.begin(), word.end(), word.begin(),
+    [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; });
   const std::size_t prefix = word.size() < 3 ? 0 : word.size() - 3;
   const bool known = word.substr(prefix) == "OFF" &&
-    word.substr(0, prefix).find_first_not_of("STCN") == std::string_view::npos;
+    word.substr(0, prefix).find_first_not_of("STCN") == std::string::npos;
   if (!known)
   {
     file.Fail("an OFF file of planar points must begin with the word OFF");
@@ -47,22 +57,32 @@ struct Counts
   std::int64_t Faces;
 };
 
-Counts ReadCounts(LineScanner& file)
+/** It may be missing, or alone on the next line, where a vertex has three numbers. */
+void SkipEdgeCount(LineScanner& file)
 {
   if (file.AtLineEnd())
   {
-    file.NeedLine("the number of vertices");
+    LineScanner ahead = file;
+    if (ahead.NextLine() && IsNumber(ahead.Word()) && ahead.AtLineEnd())
+    {
+      file = ahead;
+    }
+    return;
   }
+  file.Integer("the number of edges");
+}
+
+Counts ReadCounts(LineScanner& file)
+{
+  file.NeedWord("the number of vertices"); // counts may be on lines of their own
   if (file.PeekWord() == "BINARY")
   {
     file.Fail("binary OFF is not supported; save the mesh as text");
   }
   const std::int64_t vertices = file.Integer("the number of vertices");
+  file.NeedWord("the number of faces");
   const std::int64_t faces = file.Integer("the number of faces");
-  if (!file.AtLineEnd())
-  {
-    file.Integer("the number of edges");
-  }
+  SkipEdgeCount(file);
   file.NeedLineEnd("the counts");
   if (vertices < 3 || faces < 1)
   {
@@ -161,28 +181,8 @@ void WriteOff(const std::filesystem::path& path, vtkPolyData* mesh)
   text.Append(' ');
   text.AppendValue(mesh->GetNumberOfPolys());
   text.Append(" 0\n");
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPoints(); ++i)
-  {
-    double point[3];
-    mesh->GetPoint(i, point);
-    text.AppendValue(point[0]);
-    text.Append(' ');
-    text.AppendValue(point[1]);
-    text.Append(" 0\n");
-  }
-  ElementAccess elements(mesh);
-  std::vector<vtkIdType> ids;
-  for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)
-  {
-    elements.GetVertexIds(i, ids);
-    text.AppendValue(ids.size());
-    for (const vtkIdType id : ids)
-    {
-      text.Append(' ');
-      text.AppendValue(id);
-    }
-    text.Append('\n');
-  }
+  AppendVertices(text, "", mesh);
+  AppendElements(text, mesh, 0);
   WriteTextFile(path, text.GetText());
 }
 

@@ -7,11 +7,10 @@
  */
 #include "FormatFunctions.h"
 
-#include "ElementAccess.h"
+#include "CutElements.h"
 #include "MeshBuilder.h"
 #include "MeshText.h"
 #include "TextFile.h"
-#include "TriangulatePolygon.h"
 
 #include <bit>
 #include <cstring>
@@ -198,27 +197,22 @@ void WriteStl(const std::filesystem::path& path, vtkPolyData* mesh)
   CheckWritable(path, mesh);
   TextBuffer text;
   text.Append("solid pemesh\n");
-  ElementAccess elements(mesh);
-  PolygonTriangulator triangulator;
-  std::vector<Point2> vertices;
-  for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)
-  {
-    elements.GetVertices(i, vertices);
-    for (const PolygonTriangle& triangle : triangulator.Triangulate(vertices))
+  ForEachCutElement(mesh, 3,
+    [&](std::span<const vtkIdType> triangle)
     {
       text.Append("facet normal 0 0 1\nouter loop\n");
-      for (const int corner : triangle)
+      for (const vtkIdType vertex : triangle)
       {
-        const Point2& vertex = vertices[static_cast<std::size_t>(corner)];
+        double point[3];
+        mesh->GetPoint(vertex, point);
         text.Append("vertex ");
-        text.AppendValue(vertex.x);
+        text.AppendValue(point[0]);
         text.Append(' ');
-        text.AppendValue(vertex.y);
+        text.AppendValue(point[1]);
         text.Append(" 0\n");
       }
       text.Append("endloop\nendfacet\n");
-    }
-  }
+    });
   text.Append("endsolid pemesh\n");
   WriteTextFile(path, text.GetText());
 }

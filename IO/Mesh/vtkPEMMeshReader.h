@@ -7,7 +7,7 @@
  * Output port 0: vtkPolyData, polygons, points in double precision, counter-clockwise (elements
  *   that are clockwise in the file are reversed), vertices in the order of the file. Field text
  *   "Mesh" is the file's stem, made unique where several files share it (Maze0, Maze0-2).
- * Formats: by extension, see MeshFormats.h (OFF, OBJ, NODE/ELE, STL, VTP).
+ * Formats: by extension, see MeshFormats.h and the table of README.md.
  * Time: the index of the file: TIME_STEPS are 0, 1, …, n-1; another time takes the nearest file;
  *   without a time asked for, the first file.
  * Failure of a case: a file that cannot be read gives an empty mesh with `Status`

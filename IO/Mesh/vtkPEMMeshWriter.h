@@ -4,8 +4,8 @@
  * @class   vtkPEMMeshWriter
  * @brief   Writes a polygonal mesh in the format that the extension of the file names.
  *
- * Input port 0: vtkPolyData of polygons. Only VTP keeps its arrays, and only VTP takes a mesh
- *   without polygons (of a case that failed). STL writes each polygon as triangles.
+ * Input port 0: vtkPolyData of polygons. Only VTP and VTU keep its arrays and take a mesh without
+ *   polygons (of a case that failed). STL and MSH write larger polygons as triangles.
  * NODE/ELE writes both files, whichever of the two is named.
  * Write() returns 1, or 0 after an error that names the file and the reason.
  *

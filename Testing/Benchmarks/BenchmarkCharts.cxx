@@ -18,6 +18,7 @@
 #include <vtkContext2D.h>
 #include <vtkDoubleArray.h>
 #include <vtkNew.h>
+#include <vtkPen.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 

@@ -4,6 +4,7 @@
 
 #include "TestMeshes.h"
 
+#include <algorithm>
 #include <clocale>
 
 #include <gmock/gmock.h>
@@ -22,8 +23,28 @@ vtkSmartPointer<vtkPolyData> ReadText(const std::string& name, const std::string
 
 } // namespace
 
-/** Every format that keeps vertices gives back every bit. */
-class RoundTrip : public testing::TestWithParam<const char*>
+/** The names of the formats that hold any mesh: every bit of it comes back. */
+std::vector<std::string> FaithfulFormats()
+{
+  std::vector<std::string> names;
+  for (const MeshFormat& format : MeshFormats())
+  {
+    if (format.KeepsVertices && format.MostCorners == 0)
+    {
+      names.emplace_back(format.Name);
+    }
+  }
+  return names;
+}
+
+std::string TestName(const testing::TestParamInfo<std::string>& test)
+{
+  std::string name = test.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class RoundTrip : public testing::TestWithParam<std::string>
 {
 protected:
   void Check(vtkPolyData* mesh)
@@ -75,13 +96,19 @@ TEST_P(RoundTrip, ElementOfManyVertices)
   this->Check(MakeTestMesh(circle, { polygon }));
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip,
-  testing::Values("off", "obj", "node", "node-plain", "vtp"),
-  [](const auto& test)
-  {
-    const std::string name = test.param;
-    return name == "node-plain" ? std::string("plain") : name;
-  });
+INSTANTIATE_TEST_SUITE_P(Formats, RoundTrip, testing::ValuesIn(FaithfulFormats()), TestName);
+
+TEST(MeshFormats, AreListedInTheReadme)
+{
+  EXPECT_THAT(ReadBytes(std::filesystem::path(PEMESH_SOURCE_DIR) / "IO" / "Mesh" / "README.md"),
+    testing::HasSubstr(DescribeMeshFormats()));
+}
+
+TEST(MeshFormats, SayHowManyElementsTheyCut)
+{
+  EXPECT_EQ(CountElementsToCut(*FindMeshFormat("stl"), MakeHouse()), 1); // of three
+  EXPECT_EQ(CountElementsToCut(*FindMeshFormat("off"), MakeHouse()), 0);
+}
 
 TEST(MeshFormats, AreFoundByNameAndByExtension)
 {
@@ -110,6 +137,29 @@ TEST(MeshFormats, OffWithCountsOnTheNextLineOrWithoutEdges)
   const auto expected = MakeTestMesh({ { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0, 1, 2 } });
   ExpectSameMesh(ReadText("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2"), expected);
   ExpectSameMesh(ReadText("b.off", "OFF\n\n3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2"), expected);
+}
+
+TEST(MeshFormats, OffWithCountsOnLinesOfTheirOwn)
+{
+  const auto expected = MakeTestMesh({ { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0, 1, 2 } });
+  const std::string rest = "\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2";
+  ExpectSameMesh(ReadText("a.off", "OFF\n3\n1\n0" + rest), expected);
+  ExpectSameMesh(ReadText("b.off", "OFF 3\n# faces\n1" + rest), expected);
+  ExpectSameMesh(ReadText("c.off", "OFF\n3 1\n\n0" + rest), expected);
+}
+
+TEST(MeshFormats, OffWithOtherHeadsOrNone)
+{
+  const auto expected = MakeTestMesh({ { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0, 1, 2 } });
+  const std::string plain = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  const std::string many = "3 1 0\n0 0 0 .1 .2 .3 1 0 0 1 0 1\n1 0 0 1 1 1 1 0 0 1 1 1\n"
+                           "0 1 0 0 0 0 0 0 0 1 0.5 0.5\n3 0 1 2 7\n";
+  ExpectSameMesh(ReadText("a.off", plain), expected);
+  ExpectSameMesh(ReadText("b.off", "\xEF\xBB\xBFoff\n" + plain), expected);
+  for (const std::string head : { "STOFF", "STCNOFF", "CNOFF" })
+  {
+    ExpectSameMesh(ReadText("c.off", head + "\n" + many), expected);
+  }
 }
 
 TEST(MeshFormats, OffWithColoursAndNormalsOfVertices)
@@ -209,7 +259,7 @@ TEST(MeshFormats, RefuseToWriteWhatIsNoMesh)
   const auto spatial = MakeHouse();
   spatial->GetPoints()->SetPoint(4, 1.0, 0.0, 1e-9);
   fails(spatial, "vertex 4");
-  EXPECT_THAT([] { WriteMesh("mesh.ply", MakeHouse()); },
+  EXPECT_THAT([] { WriteMesh("mesh.xyz", MakeHouse()); },
     testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(".off .obj .node .ele")));
 }
 

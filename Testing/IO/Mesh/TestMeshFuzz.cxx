@@ -9,6 +9,7 @@
 #include "ElementAccess.h"
 #include "TestMeshes.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <random>
 
@@ -99,7 +100,7 @@ int Rounds()
 
 } // namespace
 
-class MeshFuzz : public testing::TestWithParam<const char*>
+class MeshFuzz : public testing::TestWithParam<std::string>
 {
 };
 
@@ -133,12 +134,12 @@ TEST_P(MeshFuzz, NothingButMeshesAndRefusals)
   EXPECT_GT(read, 0);        // and some survived
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, MeshFuzz,
-  testing::Values("off", "obj", "node", "node-plain", "stl"),
+INSTANTIATE_TEST_SUITE_P(Formats, MeshFuzz, testing::ValuesIn(MeshFormatNames()),
   [](const auto& test)
   {
-    const std::string name = test.param;
-    return name == "node-plain" ? std::string("plain") : name;
+    std::string name = test.param;
+    std::replace(name.begin(), name.end(), '-', '_');
+    return name;
   });
 
 TEST(MeshFuzz, BinaryStl)

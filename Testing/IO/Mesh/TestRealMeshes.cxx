@@ -85,7 +85,7 @@ TEST_P(RealMeshes, AreReadWholeAndSurviveEveryFormat)
     ExpectMeshOfUnitSquare(mesh);
     for (const MeshFormat& format : MeshFormats())
     {
-      if (format.KeepsVertices)
+      if (format.KeepsVertices && format.MostCorners == 0)
       {
         const std::filesystem::path copy = folder / ("copy" + std::string(format.Extensions[0]));
         format.Write(copy, mesh);

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The PEMesh developers
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "VtkXmlFile.h"
+
+#include "MeshText.h"
+#include "TextFile.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
+#include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
+#include <vtkInformation.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkXMLDataReader.h>
+#include <vtkXMLWriter.h>
+
+namespace pemesh
+{
+
+namespace
+{
+
+/** Collects the first error of a VTK object instead of printing it. */
+class ErrorCatcher
+{
+public:
+  ErrorCatcher()
+  {
+    this->Command->SetClientData(&this->Message);
+    this->Command->SetCallback(
+      [](vtkObject*, unsigned long event, void* client, void* text)
+      {
+        auto& message = *static_cast<std::string*>(client);
+        if (event == vtkCommand::ErrorEvent && message.empty())
+        {
+          message = text ? static_cast<const char*>(text) : "unknown error";
+        }
+      });
+  }
+
+  void Watch(vtkObject* object)
+  {
+    object->AddObserver(vtkCommand::ErrorEvent, this->Command);
+    object->AddObserver(vtkCommand::WarningEvent, this->Command); // kept quiet
+  }
+
+  vtkCallbackCommand* GetCommand() { return this->Command; }
+
+  bool HasMessage() const { return !this->Message.empty(); }
+
+  /** The last line that says anything, without VTK's file, address and full stop. */
+  std::string GetReason() const
+  {
+    std::string text = this->Message;
+    const std::size_t end = text.find_last_not_of(" \t\r\n.");
+    text.resize(end == std::string::npos ? 0 : end + 1);
+    const std::size_t line = text.find_last_of('\n');
+    text.erase(0, line == std::string::npos ? 0 : line + 1);
+    const std::size_t address = text.find("): ");
+    text.erase(0, address == std::string::npos ? 0 : address + 3);
+    return text.empty() ? "unknown error" : text;
+  }
+
+private:
+  std::string Message;
+  vtkNew<vtkCallbackCommand> Command;
+};
+
+struct AreOffsetsValid
+{
+  template <typename CellState>
+  bool operator()(CellState& state) const
+  {
+    const auto* offsets = state.GetOffsets();
+    const vtkIdType count = offsets->GetNumberOfValues();
+    if (count == 0 || offsets->GetValue(0) != 0)
+    {
+      return count == 0;
+    }
+    for (vtkIdType i = 1; i < count; ++i)
+    {
+      if (offsets->GetValue(i) < offsets->GetValue(i - 1))
+      {
+        return false;
+      }
+    }
+    return offsets->GetValue(count - 1) <= state.GetConnectivity()->GetNumberOfValues();
+  }
+};
+
+/** The same values without the array's information: VTK keeps ranges there, once they were asked
+ * for, and would write them, so that the bytes of a file would depend on who looked before. */
+vtkSmartPointer<vtkAbstractArray> WithoutInformation(vtkAbstractArray* array)
+{
+  auto* numbers = vtkDataArray::SafeDownCast(array);
+  if (!numbers)
+  {
+    return array; // texts have no ranges
+  }
+  auto copy = vtkSmartPointer<vtkDataArray>::Take(numbers->NewInstance());
+  copy->ShallowCopy(numbers);
+  if (copy->HasInformation())
+  {
+    copy->GetInformation()->Clear();
+  }
+  return copy;
+}
+
+void CopyArraysWithoutInformation(vtkFieldData* from, vtkFieldData* to)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    to->AddArray(WithoutInformation(from->GetAbstractArray(i)));
+  }
+}
+
+/** The largest number in the quotes after `name`, of all that begin so: NumberOfPoints="12". */
+std::size_t LargestAttribute(std::string_view text, std::string_view name)
+{
+  std::size_t largest = 0;
+  for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1))
+  {
+    const std::size_t quote = text.find_first_of("\"'>", at);
+    if (quote != std::string_view::npos)
+    {
+      std::size_t value = 0;
+      const auto result =
+        std::from_chars(text.data() + quote + 1, text.data() + text.size(), value);
+      const bool isTooLarge = result.ec == std::errc::result_out_of_range;
+      largest = isTooLarge ? std::string_view::npos : std::max(largest, value);
+    }
+  }
+  return largest;
+}
+
+/** VTK takes the memory that the counts of a file ask for before it reads: they must be such that
+ * the file could hold them, with the best that its compressors do (zlib, 1 to 1032). */
+void CheckCounts(const std::filesystem::path& path, const char* kind)
+{
+  constexpr std::size_t usualHead = 1 << 16;
+  std::string text = ReadTextFile(path, usualHead);
+  if (text.size() == usualHead && text.find("<AppendedData") == std::string::npos)
+  {
+    text = ReadTextFile(path);
+  }
+  const std::string_view head = std::string_view(text).substr(0, text.find("<AppendedData"));
+  constexpr std::size_t mostCompression = 1032;
+  const std::size_t most = std::filesystem::file_size(path) * mostCompression;
+  const std::size_t components =
+    std::max<std::size_t>(1, LargestAttribute(head, "NumberOfComponents"));
+  for (const char* name : { "NumberOfPoints", "NumberOfCells", "NumberOfPolys", "NumberOfVerts",
+         "NumberOfLines", "NumberOfStrips", "NumberOfTuples" })
+  {
+    if (LargestAttribute(head, name) > most / components)
+    {
+      FailMeshFile(
+        path, std::string("cannot be read as ") + kind + ": it announces more than it can hold");
+    }
+  }
+}
+
+} // namespace
+
+void ReadVtkXml(const std::filesystem::path& path, vtkXMLDataReader* reader, const char* kind)
+{
+  CheckCounts(path, kind);
+  const std::string start = std::string("cannot be read as ") + kind + ": ";
+  ErrorCatcher errors;
+  errors.Watch(reader);
+  errors.Watch(reader->GetExecutive());
+  reader->SetReaderErrorObserver(errors.GetCommand());
+  reader->SetParserErrorObserver(errors.GetCommand());
+  reader->SetFileName(path.c_str());
+  try
+  {
+    reader->Update();
+  }
+  catch (const std::exception&) // such as bad_alloc, after a size that makes no sense
+  {
+    FailMeshFile(path, start + "it is damaged");
+  }
+  if (errors.HasMessage() || reader->GetErrorCode() != 0)
+  {
+    FailMeshFile(path, start + errors.GetReason());
+  }
+}
+
+void WriteVtkXml(const std::filesystem::path& path, vtkXMLWriter* writer, vtkDataObject* data)
+{
+  WriteFileSafely(path,
+    [&](const std::filesystem::path& temporary)
+    {
+      ErrorCatcher errors;
+      errors.Watch(writer);
+      errors.Watch(writer->GetExecutive());
+      writer->SetFileName(temporary.c_str());
+      writer->SetInputData(data);
+      writer->SetDataModeToBinary();
+      writer->SetCompressorTypeToNone();
+      writer->SetHeaderTypeToUInt64();
+      writer->SetByteOrderToLittleEndian();
+      if (!writer->Write() || errors.HasMessage() || writer->GetErrorCode() != 0)
+      {
+        throw std::runtime_error(
+          "Cannot write \"" + path.string() + "\": " + errors.GetReason() + ".");
+      }
+    });
+}
+
+void CheckOffsets(const std::filesystem::path& path, vtkCellArray* cells, const char* kind)
+{
+  if (!cells->Visit(AreOffsetsValid{}))
+  {
+    FailMeshFile(
+      path, std::string("cannot be read as ") + kind + ": the offsets of its polygons are wrong");
+  }
+}
+
+void MakePointsPlanar(const std::filesystem::path& path, vtkPointSet* mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  if (mesh->GetPoints())
+  {
+    points->DeepCopy(mesh->GetPoints()); // keeps the type of `points`
+  }
+  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    points->GetPoint(i, point);
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || point[2] != 0.0)
+    {
+      FailMeshFile(path,
+        "has a vertex, " + std::to_string(i) + ", that is not a finite point of the plane z = 0");
+    }
+    points->SetPoint(i, point[0], point[1], 0.0);
+  }
+  mesh->SetPoints(points);
+}
+
+vtkSmartPointer<vtkPolyData> BareCopy(vtkPolyData* mesh)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  if (mesh->GetPoints())
+  {
+    auto coordinates = WithoutInformation(mesh->GetPoints()->GetData());
+    points->SetData(vtkDataArray::SafeDownCast(coordinates));
+  }
+  copy->SetPoints(points);
+  vtkNew<vtkCellArray> polygons;
+  const auto offsets = WithoutInformation(mesh->GetPolys()->GetOffsetsArray());
+  const auto connectivity = WithoutInformation(mesh->GetPolys()->GetConnectivityArray());
+  polygons->SetData(vtkDataArray::SafeDownCast(offsets), vtkDataArray::SafeDownCast(connectivity));
+  copy->SetPolys(polygons);
+  CopyArraysWithoutInformation(mesh->GetPointData(), copy->GetPointData());
+  CopyArraysWithoutInformation(mesh->GetCellData(), copy->GetCellData());
+  CopyArraysWithoutInformation(mesh->GetFieldData(), copy->GetFieldData());
+  return copy;
+}
+
+void CheckOnlyPolygons(const std::filesystem::path& path, vtkPolyData* mesh)
+{
+  if (mesh->GetNumberOfCells() != mesh->GetNumberOfPolys())
+  {
+    throw std::runtime_error("Cannot write \"" + path.string() +
+      "\": the mesh has cells that are not polygons (vertices, lines or strips).");
+  }
+}
+
+} // namespace pemesh
