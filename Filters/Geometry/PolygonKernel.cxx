@@ -172,8 +172,7 @@ bool PolygonKernelFinder::CutAll(PolygonView polygon, std::size_t first)
       continue;
     }
     const int turn = isFirst ? 1 : Orientation(before, from, to); // from the left side of the box
-    if (turn == 0 ? Dot(from - before, to - from) < 0.0
-                  : !this->Cut(from, to, turn > 0))
+    if (turn == 0 ? Dot(from - before, to - from) < 0.0 : !this->Cut(from, to, turn > 0))
     {
       return false;
     }

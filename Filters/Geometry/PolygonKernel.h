@@ -67,7 +67,7 @@ private:
     Point2 To;
     std::size_t Next; // the lines around what is left
     std::size_t Previous;
-    Point2 End;      // where Next is met, if that is known without rounding
+    Point2 End; // where Next is met, if that is known without rounding
     bool IsEndExact;
   };
 

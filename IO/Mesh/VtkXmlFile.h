@@ -25,9 +25,9 @@ namespace pemesh
 void ReadVtkXml(const std::filesystem::path& path, vtkXMLDataReader* reader, const char* kind);
 
 /**
- * Writes binary data in place, not compressed: the same bytes for the same mesh. Appended data would be
- * read and written faster, but ParaView 5.11 cannot read them any more since libexpat defers parsing
- * (its 2.6.0, and Debian 12's 2.5.0-1+deb12u2; CVE-2023-52425).
+ * Writes binary data in place, not compressed: the same bytes for the same mesh. Appended data
+ * would be read and written faster, but ParaView 5.11 cannot read them any more since libexpat
+ * defers parsing (its 2.6.0, and Debian 12's 2.5.0-1+deb12u2; CVE-2023-52425).
  */
 void WriteVtkXml(const std::filesystem::path& path, vtkXMLWriter* writer, vtkDataObject* data);
 
