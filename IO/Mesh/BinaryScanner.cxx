@@ -30,7 +30,7 @@ std::string_view BinaryScanner::Take(std::size_t bytes)
 template <typename Value>
 Value BinaryScanner::Read()
 {
-  std::array<char, sizeof(Value)> bytes;
+  std::array<char, sizeof(Value)> bytes{};
   this->Take(sizeof(Value)).copy(bytes.data(), sizeof(Value));
   if (this->IsBigEndian != (std::endian::native == std::endian::big))
   {
