@@ -65,8 +65,7 @@ double SquaredDistanceFrom(const Edge& edge, const Point2& point)
 {
   const Point2 offset = point - edge.Start;
   const double along = std::clamp(Dot(offset, edge.Direction), 0.0, edge.Length);
-  const Point2 away = { offset.x - along * edge.Direction.x,
-    offset.y - along * edge.Direction.y };
+  const Point2 away = { offset.x - along * edge.Direction.x, offset.y - along * edge.Direction.y };
   return Dot(away, away);
 }
 

@@ -12,10 +12,10 @@
  * edges cover the part inside of every curve: one-dimensional questions, O(n) each. An error e of
  * rounding can hide only a region in which no point is farther than R + O(e n).
  *
- * Not all curves need be asked. Stadiums that have a point in common have a star-shaped union, which
- * has no hole. So on the boundary of every piece of the region there is a point that is farther than
- * R from all edges whose stadiums contain a given point, the center of the circle found so far, say:
- * the curves of these edges are left out.
+ * Not all curves need be asked. Stadiums that have a point in common have a star-shaped union,
+ * which has no hole. So on the boundary of every piece of the region there is a point that is
+ * farther than R from all edges whose stadiums contain a given point, the center of the circle
+ * found so far, say: the curves of these edges are left out.
  */
 #ifndef pemesh_BoundaryCover_h
 #define pemesh_BoundaryCover_h

@@ -135,8 +135,7 @@ Circle InscribedCircleFinder::FindInKernel(const std::vector<PolygonKernelFinder
   }
   const SmallLinearProgram::Solution solution = this->Program.Solve(RoundingOfPlanes * size, 0.0);
   // What is left of rounding makes the circle smaller, never larger than its place allows.
-  return { middle + solution.Position,
-    std::max(0.0, this->Program.HeightAt(solution.Position)) };
+  return { middle + solution.Position, std::max(0.0, this->Program.HeightAt(solution.Position)) };
 }
 
 /** What may be left unproved: more than rounding, far less than anyone can use. */
@@ -162,8 +161,8 @@ Circle InscribedCircleFinder::FindByClimbing(PolygonView polygon)
   const double least = 0.49 * measure.Area / this->Boundary.GetScale();
   double tolerance = this->Tolerance();
   // Every climb goes up by half the tolerance at least, mostly to the next local maximum.
-  while (this->Boundary.FindFarther(std::max(least, this->Best.Radius + tolerance), 0.5 * tolerance,
-    this->Best.Center, point))
+  while (this->Boundary.FindFarther(
+    std::max(least, this->Best.Radius + tolerance), 0.5 * tolerance, this->Best.Center, point))
   {
     this->Climb(point);
     tolerance = this->Tolerance();
