@@ -4,6 +4,7 @@
 #include "MeshPainter.h"
 
 #include "ElementAccess.h"
+#include "ExtremeElements.h"
 
 #include <vtkDataArray.h>
 #include <vtkPolyData.h>
@@ -132,24 +133,9 @@ void MeshPainter::FindExtremes()
   {
     return;
   }
-  for (vtkIdType element = 0; element < this->NumberOfElements(); ++element)
-  {
-    const double value = this->CellValue(element);
-    if (std::isnan(value))
-    {
-      continue;
-    }
-    if (this->Smallest < 0 || value < this->CellValue(this->Smallest))
-    {
-      this->Smallest = element;
-    }
-    if (this->Largest < 0 || value > this->CellValue(this->Largest))
-    {
-      this->Largest = element;
-    }
-  }
-  this->Smallest = this->Style.MarkSmallest ? this->Smallest : -1;
-  this->Largest = this->Style.MarkLargest ? this->Largest : -1;
+  const ExtremeElements extremes = FindExtremeElements(this->Style.CellValues);
+  this->Smallest = this->Style.MarkSmallest ? extremes.Smallest : -1;
+  this->Largest = this->Style.MarkLargest ? extremes.Largest : -1;
 }
 
 } // namespace pemesh

@@ -4,6 +4,8 @@
 #include "vtkPEMMeshView.h"
 
 #include "AxisTicks.h"
+#include "ElementAccess.h"
+#include "PointLocation.h"
 
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -12,31 +14,6 @@
 #include <vtkPolyData.h>
 
 #include <algorithm>
-
-namespace
-{
-
-/** Even and odd crossings of a ray to the right: also right for concave elements. */
-bool Contains(vtkPolyData* mesh, vtkIdType count, const vtkIdType* ids, double x, double y)
-{
-  bool inside = false;
-  double before[3];
-  mesh->GetPoint(ids[count - 1], before);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    double point[3];
-    mesh->GetPoint(ids[i], point);
-    if ((point[1] > y) != (before[1] > y) &&
-      x < point[0] + (before[0] - point[0]) * (y - point[1]) / (before[1] - point[1]))
-    {
-      inside = !inside;
-    }
-    std::copy_n(point, 3, before);
-  }
-  return inside;
-}
-
-} // namespace
 
 pemesh::ChartPick vtkPEMMeshView::Pick(double deviceX, double deviceY, double)
 {
@@ -47,13 +24,12 @@ pemesh::ChartPick vtkPEMMeshView::Pick(double deviceX, double deviceY, double)
   }
   const double x = (deviceX - this->ToDevice[0]) / this->ToDevice[2];
   const double y = (deviceY - this->ToDevice[1]) / this->ToDevice[2];
-  vtkCellArray* polygons = this->Mesh->GetPolys();
-  vtkIdType count = 0;
-  const vtkIdType* ids = nullptr;
-  for (vtkIdType cell = 0; cell < polygons->GetNumberOfCells(); ++cell)
+  pemesh::ElementAccess access(this->Mesh);
+  std::vector<pemesh::Point2> element;
+  for (vtkIdType cell = 0; cell < access.GetNumberOfElements(); ++cell)
   {
-    polygons->GetCellAtId(cell, count, ids);
-    if (count < 3 || !Contains(this->Mesh, count, ids, x, y))
+    access.GetVertices(cell, element);
+    if (!pemesh::ContainsPoint(element, { x, y }))
     {
       continue;
     }

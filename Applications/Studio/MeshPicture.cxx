@@ -4,6 +4,8 @@
 
 #include "ColorMaps.h"
 #include "ElementAccess.h"
+#include "ExtremeElements.h"
+#include "PointLocation.h"
 
 #include <QPainter>
 
@@ -91,19 +93,7 @@ vtkIdType MeshPicture::FindElement(const Point2& point) const
     {
       continue;
     }
-    bool inside = false;
-    const PolygonView polygon = this->GetElement(static_cast<vtkIdType>(i));
-    for (std::size_t j = 0, k = polygon.size() - 1; j < polygon.size(); k = j++)
-    {
-      const Point2& a = polygon[j];
-      const Point2& b = polygon[k];
-      if ((a.y > point.y) != (b.y > point.y) &&
-        point.x < (b.x - a.x) * (point.y - a.y) / (b.y - a.y) + a.x)
-      {
-        inside = !inside;
-      }
-    }
-    if (inside)
+    if (ContainsPoint(this->GetElement(static_cast<vtkIdType>(i)), point))
     {
       return static_cast<vtkIdType>(i);
     }
@@ -115,23 +105,11 @@ MeshPicture::Extremes MeshPicture::FindExtremes(const std::string& array) const
 {
   Extremes extremes;
   vtkDataArray* values = FindCellArray(this->Mesh, array);
-  for (vtkIdType i = 0; values && i < this->GetNumberOfElements(); ++i)
+  const auto [smallest, largest] = FindExtremeElements(values);
+  if (smallest >= 0)
   {
-    const double value = values->GetTuple1(i);
-    if (!std::isfinite(value))
-    {
-      continue;
-    }
-    if (extremes.Elements[0] < 0 || value < extremes.Values[0])
-    {
-      extremes.Values[0] = value;
-      extremes.Elements[0] = i;
-    }
-    if (extremes.Elements[1] < 0 || value > extremes.Values[1])
-    {
-      extremes.Values[1] = value;
-      extremes.Elements[1] = i;
-    }
+    extremes = { { values->GetTuple1(smallest), values->GetTuple1(largest) },
+      { smallest, largest } };
   }
   return extremes;
 }

@@ -74,17 +74,26 @@ const std::vector<PolygonKernelFinder::Side>& PolygonKernelFinder::Find(
 
 void PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Point2& high)
 {
+  const std::size_t size = polygon.size();
   const Point2 origin = polygon[0];
   const Point2 from = low - origin;
   const Point2 to = high - origin;
-  this->Sides = { { from, { 1.0, 0.0 } }, { { to.x, from.y }, { 0.0, 1.0 } }, { to, { -1.0, 0.0 } },
-    { { from.x, to.y }, { 0.0, -1.0 } } };
-  for (std::size_t i = 0; i < polygon.size() && !this->Sides.empty(); ++i)
+  this->Corners = { from, { to.x, from.y }, to, { from.x, to.y } };
+  this->SideOf = { size, size + 1, size + 2, size + 3 };
+  const auto Direction = [&](std::size_t side)
   {
-    const Point2& a = polygon[i];
-    const Point2& b = polygon[i + 1 == polygon.size() ? 0 : i + 1];
-    // The direction from the vertices as given: exact for edges short against the coordinates.
-    this->ClipHalfPlane(a - origin, b - a);
+    constexpr Point2 OfTheBox[] = { { 1.0, 0.0 }, { 0.0, 1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } };
+    // From the vertices as given: exact for edges short against the coordinates.
+    return side >= size ? OfTheBox[side - size]
+                        : polygon[side + 1 == size ? 0 : side + 1] - polygon[side];
+  };
+  for (std::size_t i = 0; i < size && !this->Corners.empty(); ++i)
+  {
+    this->ClipHalfPlane(polygon[i] - origin, Direction(i), i);
+  }
+  for (std::size_t i = 0; i < this->Corners.size(); ++i)
+  {
+    this->Sides.push_back({ this->Corners[i], Direction(this->SideOf[i]) });
   }
 }
 
@@ -92,14 +101,15 @@ void PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Poi
  * Cuts off what is to the right of a line (I. E. Sutherland, G. W. Hodgman, Commun. ACM 17 (1974)
  * 32-42).
  */
-void PolygonKernelFinder::ClipHalfPlane(const Point2& anchor, const Point2& direction)
+void PolygonKernelFinder::ClipHalfPlane(
+  const Point2& anchor, const Point2& direction, std::size_t edge)
 {
-  const std::size_t size = this->Sides.size();
+  const std::size_t size = this->Corners.size();
   this->Heights.resize(size);
   double lowest = 0.0;
   for (std::size_t i = 0; i < size; ++i)
   {
-    this->Heights[i] = Cross(direction, this->Sides[i].Start - anchor);
+    this->Heights[i] = Cross(direction, this->Corners[i] - anchor);
     lowest = std::min(lowest, this->Heights[i]);
   }
   if (!(lowest < 0.0))
@@ -109,25 +119,27 @@ void PolygonKernelFinder::ClipHalfPlane(const Point2& anchor, const Point2& dire
   // Every point is written and then kept or not: which it is cannot be foreseen, and a branch that
   // goes the other way costs more than the point.
   this->Clipped.resize(2 * size);
+  this->ClippedSideOf.resize(2 * size);
   std::size_t kept = 0;
   for (std::size_t i = 0; i < size; ++i)
   {
     const std::size_t j = i + 1 == size ? 0 : i + 1;
     const double from = this->Heights[i];
     const double to = this->Heights[j];
-    const Side side = this->Sides[i];
-    const Point2 q = this->Sides[j].Start;
-    // A corner on the cut itself becomes the start of the new side.
-    this->Clipped[kept] = { side.Start, from == 0.0 && to < 0.0 ? direction : side.Direction };
+    const Point2 p = this->Corners[i];
+    const Point2 q = this->Corners[j];
+    const std::size_t side = to < 0.0 ? edge : this->SideOf[i]; // that starts where this one is met
+    this->Clipped[kept] = p;
+    this->ClippedSideOf[kept] = from > 0.0 ? this->SideOf[i] : side;
     kept += from >= 0.0 ? 1 : 0;
     const double fraction = from / (from - to);
-    const Point2& p = side.Start;
-    this->Clipped[kept] = { { p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) },
-      to < 0.0 ? direction : side.Direction };
+    this->Clipped[kept] = { p.x + fraction * (q.x - p.x), p.y + fraction * (q.y - p.y) };
+    this->ClippedSideOf[kept] = side;
     kept += std::min(from, to) < 0.0 && std::max(from, to) > 0.0 ? 1 : 0;
   }
   this->Clipped.resize(kept < 3 ? 0 : kept);
-  std::swap(this->Sides, this->Clipped);
+  std::swap(this->Corners, this->Clipped);
+  std::swap(this->SideOf, this->ClippedSideOf);
 }
 
 /**
@@ -151,8 +163,9 @@ void PolygonKernelFinder::Start(
   this->First = 0;
   this->Last = 0;
   // Seen from a point of the kernel the boundary goes round once, and what a vertex sees less than
-  // one and a half times: so no end of a line is passed more than twice.
-  this->Steps = 4 * (4 + 2 * size);
+  // one and a half times: so no end of a line is passed more than twice
+  // by either end of that, and once when it is cut off.
+  this->Steps = 5 * (4 + 2 * size);
 }
 
 /** False if nothing is left. */
@@ -201,7 +214,7 @@ bool PolygonKernelFinder::Cut(const Point2& from, const Point2& to, bool left)
   while (this->SideOfEnd(this->Lines[before].Previous, cut) <= 0)
   {
     before = this->Lines[before].Previous;
-    if (before == this->Lines[start].Next)
+    if (before == this->Lines[start].Next || this->Steps-- == 0)
     {
       return false;
     }
@@ -210,6 +223,10 @@ bool PolygonKernelFinder::Cut(const Point2& from, const Point2& to, bool left)
   while (this->SideOfEnd(after, cut) <= 0)
   {
     after = this->Lines[after].Next;
+    if (this->Steps-- == 0)
+    {
+      return false;
+    }
   }
   const std::size_t added = this->Lines.size();
   this->Lines.push_back(cut);
@@ -265,13 +282,13 @@ int PolygonKernelFinder::SideOfEnd(std::size_t line, const Line& cut) const
 /** Along the last line: what is seen of the rest goes round counter-clockwise. */
 bool PolygonKernelFinder::Move(const Point2& vertex)
 {
-  const auto SideOf = [&](std::size_t index)
+  const auto Place = [&](std::size_t index)
   {
     const Line& line = this->Lines[index];
     const bool isOn = vertex == line.From || vertex == line.To;
     return isOn ? 0 : Orientation(line.From, line.To, vertex);
   };
-  while (SideOf(this->Lines[this->Last].Next) <= 0)
+  while (Place(this->Lines[this->Last].Next) <= 0)
   {
     this->Last = this->Lines[this->Last].Next;
     if (this->Steps-- == 0)
@@ -279,7 +296,7 @@ bool PolygonKernelFinder::Move(const Point2& vertex)
       return false;
     }
   }
-  while (this->First != this->Last && SideOf(this->First) > 0)
+  while (this->First != this->Last && Place(this->First) > 0)
   {
     this->First = this->Lines[this->First].Next;
     if (this->Steps-- == 0)

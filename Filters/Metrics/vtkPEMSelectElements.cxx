@@ -5,6 +5,7 @@
 #include "CaseStatus.h"
 #include "ElementAccess.h"
 #include "ElementSelection.h"
+#include "ExtremeElements.h"
 #include "MetricRegistry.h"
 #include "Progress.h"
 
@@ -106,20 +107,9 @@ void CopyElements(vtkPolyData* mesh, const std::vector<vtkIdType>& elements, vtk
 }
 
 /** The first elements of the smallest and of the largest value, which may be one, with a mark. */
-void CopyExtremes(vtkPolyData* mesh, const std::vector<double>& values, vtkPolyData* output)
+void CopyExtremes(vtkPolyData* mesh, vtkDataArray* values, vtkPolyData* output)
 {
-  vtkIdType smallest = -1;
-  vtkIdType largest = -1;
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    const auto element = static_cast<vtkIdType>(i);
-    if (!std::isnan(values[i]))
-    {
-      const auto Value = [&](vtkIdType id) { return values[static_cast<std::size_t>(id)]; };
-      smallest = smallest < 0 || values[i] < Value(smallest) ? element : smallest;
-      largest = largest < 0 || values[i] > Value(largest) ? element : largest;
-    }
-  }
+  const auto [smallest, largest] = pemesh::FindExtremeElements(values);
   std::vector<vtkIdType> extremes;
   vtkNew<vtkIntArray> marks;
   marks->SetName("Extreme");
@@ -256,7 +246,7 @@ int vtkPEMSelectElements::RequestData(vtkInformation* vtkNotUsed(request),
   }
   if (pemesh::ReportProgress(this, 0.8))
   {
-    CopyExtremes(input, values, vtkPolyData::GetData(outputVector, ExtremePort));
+    CopyExtremes(input, array, vtkPolyData::GetData(outputVector, ExtremePort));
   }
   pemesh::ReportProgress(this, 1.0);
   return 1;
