@@ -42,4 +42,51 @@ void ThinLine(std::vector<float>& points, double columnWidth)
   points = std::move(kept);
 }
 
+std::vector<float> StripOfLine(
+  const std::vector<float>& points, double columnWidth, double halfWidth)
+{
+  constexpr std::size_t few = 4000;
+  constexpr std::size_t dense = 8; // points a column
+  const std::size_t count = points.size() / 2;
+  const auto columnOf = [&](std::size_t i) { return std::floor(points[2 * i] / columnWidth); };
+  const bool isLong =
+    count >= few && count > dense * (std::fabs(columnOf(count - 1) - columnOf(0)) + 1.0);
+  std::vector<float> strip;
+  for (std::size_t first = 0; isLong && first < count;)
+  {
+    const double column = columnOf(first);
+    float low = points[2 * first + 1];
+    float high = low;
+    if (first > 0)
+    {
+      // The way from the last column is shared by both.
+      const float middle = 0.5F * (points[2 * first - 1] + low);
+      low = std::min(low, middle);
+      high = std::max(high, middle);
+    }
+    std::size_t i = first;
+    for (; i < count && columnOf(i) == column; ++i)
+    {
+      low = std::min(low, points[2 * i + 1]);
+      high = std::max(high, points[2 * i + 1]);
+    }
+    if (i < count)
+    {
+      if (std::fabs(columnOf(i) - column) != 1.0 ||
+        (columnOf(i) > column) != (columnOf(count - 1) > column))
+      {
+        return {}; // a gap, or a way back
+      }
+      const float middle = 0.5F * (points[2 * i - 1] + points[2 * i + 1]);
+      low = std::min(low, middle);
+      high = std::max(high, middle);
+    }
+    const auto x = static_cast<float>((column + 0.5) * columnWidth);
+    strip.insert(strip.end(),
+      { x, low - static_cast<float>(halfWidth), x, high + static_cast<float>(halfWidth) });
+    first = i;
+  }
+  return strip;
+}
+
 } // namespace pemesh

@@ -23,6 +23,13 @@ namespace pemesh
  */
 PEMESHCHARTS_EXPORT void ThinLine(std::vector<float>& points, double columnWidth);
 
+/**
+ * The strip (x low x high …) that a line fills which goes up and down many times in every column of
+ * this width, with half a line width more on either side; empty for any other line.
+ */
+PEMESHCHARTS_EXPORT std::vector<float> StripOfLine(
+  const std::vector<float>& points, double columnWidth, double halfWidth);
+
 } // namespace pemesh
 
 #endif

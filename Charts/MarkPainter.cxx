@@ -301,8 +301,19 @@ void MarkPainter::DrawLines(const ChartSeries& series)
       this->Painter.Marker(
         SeriesMarker(series.Style), run[0], run[1], this->MarkerSize(series), color);
     }
-    ThinLine(run, 0.06 * this->Em);
-    this->DrawRun(run, width, color, lineType);
+    const double column = 0.06 * this->Em;
+    std::vector<float> strip = StripOfLine(run, column, 0.5 * width * this->Em);
+    if (!strip.empty())
+    {
+      this->Painter.SetPen(0.0, color, vtkPen::NO_PEN);
+      this->Painter.SetBrush(color);
+      this->Painter.Context()->DrawQuadStrip(strip.data(), static_cast<int>(strip.size() / 2));
+    }
+    else if (!this->DrawTangle(run, width * this->Em, color))
+    {
+      ThinLine(run, column);
+      this->DrawRun(run, width, color, lineType);
+    }
     run.clear();
   };
   for (std::size_t i = 0; i < series.Y.size(); ++i)

@@ -58,6 +58,8 @@ private:
   void DrawBand(const ChartSeries& series);
   void DrawLines(const ChartSeries& series);
   void DrawRun(std::vector<float>& run, double width, const ChartColor& color, int lineType);
+  /** A line that goes to and fro over the plot, as an image; false where it does not. */
+  bool DrawTangle(const std::vector<float>& run, double width, const ChartColor& color);
   void DrawMarkers(const ChartSeries& series);
   void DrawDensity(const ChartSeries& series);
   /** Of several clouds, or of one coloured by numbers: mixed colours, mean values. */

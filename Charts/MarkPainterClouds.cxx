@@ -161,4 +161,57 @@ void MarkPainter::DrawMixedDensity()
   this->DrawImage(dots, columns, rows);
 }
 
+bool MarkPainter::DrawTangle(const std::vector<float>& run, double width, const ChartColor& color)
+{
+  constexpr std::size_t few = 10000; // points
+  constexpr double most = 1e7;       // cells that segments go through, in a frame
+  const std::size_t count = run.size() / 2;
+  double ways = 0.0;
+  for (std::size_t i = 1; i < count; ++i)
+  {
+    ways += std::fabs(run[2 * i] - run[2 * i - 2]);
+  }
+  const Box& area = this->Place.Area;
+  if (count < few || ways < 10.0 * area.Width)
+  {
+    return false;
+  }
+  const double cell = std::max(0.7 * width, 1.0);
+  const int columns = std::max(1, static_cast<int>(area.Width / cell));
+  const int rows = std::max(1, static_cast<int>(area.Height / cell));
+  std::vector<ChartColor> dots(
+    static_cast<std::size_t>(columns) * rows, ChartColor{ 255, 255, 255, 0 });
+  const double scaleX = columns / area.Width;
+  const double scaleY = rows / area.Height;
+  const auto mark = [&](double x, double y)
+  {
+    if (x >= 0.0 && y >= 0.0 && x < columns && y < rows)
+    {
+      dots[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] = color;
+    }
+  };
+  // Of more segments than can be told apart some do: every point is marked all the same.
+  const auto stride = static_cast<std::size_t>(std::ceil(2.0 * ways * scaleX / most));
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const double x = (run[2 * i] - area.X) * scaleX;
+    const double y = (run[2 * i + 1] - area.Y) * scaleY;
+    mark(x, y);
+    if (i + 1 == count || i % stride != 0)
+    {
+      continue;
+    }
+    const double dx = (run[2 * i + 2] - run[2 * i]) * scaleX;
+    const double dy = (run[2 * i + 3] - run[2 * i + 1]) * scaleY;
+    const double steps =
+      std::min(std::ceil(std::max(std::fabs(dx), std::fabs(dy))), 2.0 * (columns + rows));
+    for (double step = 1.0; step < steps; step += 1.0)
+    {
+      mark(x + dx * step / steps, y + dy * step / steps);
+    }
+  }
+  this->DrawImage(dots, columns, rows);
+  return true;
+}
+
 } // namespace pemesh

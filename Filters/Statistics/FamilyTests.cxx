@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace pemesh
@@ -19,7 +20,6 @@ namespace
 {
 
 constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t Portion = 64; // pairs between two reports of progress
 
 /** Two samples as their coefficient wants them; zero where missing if that is Pearson's. */
 struct PreparedPair
@@ -131,14 +131,21 @@ public:
 
   bool HasValue() const { return this->IsDefined; }
 
-  bool IsHit(const std::vector<std::size_t>& rows)
+  /** Y in an arrangement: the same for all pairs with that Y where no value is missing. */
+  const std::vector<double>& Arrange(const std::vector<std::size_t>& rows)
   {
     for (std::size_t i = 0; i < rows.size(); ++i)
     {
       this->Y[i] = this->Pair.Y[rows[i]];
     }
-    const double value = this->ByProducts ? std::fabs(Dot(this->Pair.X, this->Y)) / this->Scale
-                                          : this->Evaluate(this->Y);
+    return this->Y;
+  }
+  bool SharesArrangements() const { return this->ByProducts; }
+
+  bool IsHit(const std::vector<double>& y)
+  {
+    const double value =
+      this->ByProducts ? std::fabs(Dot(this->Pair.X, y)) / this->Scale : this->Evaluate(y);
     return value >= this->Observed - 1e-12; // the same arrangement by another name is one too
   }
 
@@ -160,27 +167,75 @@ private:
   std::vector<double> KeptY;
 };
 
-/** Calls `body(pair)` for all pairs, portion by portion; false where it was told to stop. */
-bool ForEachPair(
-  std::size_t pairs, const TestProgress& progress, const std::function<void(std::size_t)>& body)
+/** Pairs with the same Y, so that it is arranged once for all of them. */
+using PairGroup = std::vector<std::size_t>;
+
+std::vector<PairGroup> GroupByY(const PairsOfColumns& pairs, std::size_t most)
 {
-  for (std::size_t first = 0; first < pairs; first += Portion)
+  std::map<std::size_t, std::size_t> last; // of Y, the group that is not full
+  std::vector<PairGroup> groups;
+  for (std::size_t pair = 0; pair < pairs.Pairs.size(); ++pair)
   {
-    const std::size_t last = std::min(first + Portion, pairs);
+    const auto [place, isNew] = last.emplace(pairs.Pairs[pair].second, groups.size());
+    if (isNew || groups[place->second].size() == most)
+    {
+      place->second = groups.size();
+      groups.emplace_back();
+    }
+    groups[place->second].push_back(pair);
+  }
+  return groups;
+}
+
+/** Calls `body(group)` for all groups, portion by portion; false where it was told to stop. */
+bool ForEachGroup(const std::vector<PairGroup>& groups, std::size_t portion,
+  const TestProgress& progress, const std::function<void(const PairGroup&)>& body)
+{
+  for (std::size_t first = 0; first < groups.size(); first += portion)
+  {
+    const std::size_t last = std::min(first + portion, groups.size());
     ParallelLoop(static_cast<vtkIdType>(first), static_cast<vtkIdType>(last), 1,
       [&](vtkIdType from, vtkIdType to)
       {
-        for (vtkIdType pair = from; pair < to; ++pair)
+        for (vtkIdType group = from; group < to; ++group)
         {
-          body(static_cast<std::size_t>(pair));
+          body(groups[static_cast<std::size_t>(group)]);
         }
       });
-    if (progress && !progress(static_cast<double>(last) / static_cast<double>(pairs)))
+    if (progress && !progress(static_cast<double>(last) / static_cast<double>(groups.size())))
     {
       return false;
     }
   }
   return true;
+}
+
+/** Adds to `hits` those of the pairs of a group in some arrangements; NaN without a coefficient. */
+void CountHits(const PairsOfColumns& pairs, const CoefficientKind& kind, const PairGroup& group,
+  const std::vector<std::vector<std::size_t>>& arrangements, std::vector<double>& hits)
+{
+  std::vector<ArrangedStatistic> statistics;
+  for (const std::size_t pair : group)
+  {
+    statistics.emplace_back(PreparePair(pairs, pair, kind), kind);
+  }
+  for (const std::vector<std::size_t>& arrangement : arrangements)
+  {
+    const std::vector<double>* shared = nullptr;
+    for (std::size_t i = 0; i < group.size(); ++i)
+    {
+      ArrangedStatistic& statistic = statistics[i];
+      if (!statistic.HasValue())
+      {
+        hits[group[i]] = Undefined;
+        continue;
+      }
+      const bool isShared = statistic.SharesArrangements();
+      const std::vector<double>* y = isShared && shared ? shared : &statistic.Arrange(arrangement);
+      shared = isShared ? y : shared;
+      hits[group[i]] += statistic.IsHit(*y) ? 1.0 : 0.0;
+    }
+  }
 }
 
 /** As many as are worth preparing the pairs for, and as memory holds; none at the end. */
@@ -214,6 +269,8 @@ std::vector<double> FamilyPValues(const PairsOfColumns& pairs, const Coefficient
     return std::vector<double>(pairs.Pairs.size(), Undefined);
   }
   std::vector<double> p(pairs.Pairs.size(), 1.0); // hits, the given arrangement being one
+  const std::vector<PairGroup> groups = GroupByY(pairs, kind.IsPearson ? 32 : 1);
+  const std::size_t portion = 8; // groups between two reports of progress, well within a second
   int done = 0;
   for (auto block = NextArrangements(shuffle, rows); !block.empty();
        block = NextArrangements(shuffle, rows))
@@ -224,15 +281,8 @@ std::vector<double> FamilyPValues(const PairsOfColumns& pairs, const Coefficient
         progress(
           (done + fraction * static_cast<double>(block.size())) / static_cast<double>(count));
     };
-    const bool goesOn = ForEachPair(pairs.Pairs.size(), part,
-      [&](std::size_t pair)
-      {
-        ArrangedStatistic statistic(PreparePair(pairs, pair, kind), kind);
-        for (const std::vector<std::size_t>& arrangement : block)
-        {
-          p[pair] += !statistic.HasValue() ? Undefined : statistic.IsHit(arrangement) ? 1.0 : 0.0;
-        }
-      });
+    const bool goesOn = ForEachGroup(groups, portion, part,
+      [&](const PairGroup& group) { CountHits(pairs, kind, group, block, p); });
     if (!goesOn)
     {
       return {};

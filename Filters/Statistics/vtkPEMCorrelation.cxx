@@ -20,6 +20,8 @@
 #include <vtkTable.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <utility>
@@ -49,6 +51,26 @@ NamePairs MakePairs(const Names& x, const Names& y)
   return pairs;
 }
 
+/** Values that differ by rounding errors alone are one value, whose order would mean nothing. */
+std::vector<double> WithoutRounding(std::vector<double> column)
+{
+  constexpr double rounding = 1e-12; // of the largest value
+  double least = std::numeric_limits<double>::infinity();
+  double greatest = -least;
+  for (const double value : column)
+  {
+    least = std::fmin(least, value); // not NaN
+    greatest = std::fmax(greatest, value);
+  }
+  const double size = std::max(std::fabs(least), std::fabs(greatest));
+  if (std::isfinite(size) && greatest / 2 - least / 2 <= rounding * (size / 2))
+  {
+    std::replace_if(
+      column.begin(), column.end(), [](double value) { return !std::isnan(value); }, greatest);
+  }
+  return column;
+}
+
 /** The columns that take part, each once. */
 pemesh::PairsOfColumns GatherColumns(vtkTable* table, const NamePairs& pairs, const Names& given)
 {
@@ -59,7 +81,7 @@ pemesh::PairsOfColumns GatherColumns(vtkTable* table, const NamePairs& pairs, co
     const auto [place, isNew] = known.emplace(name, gathered.Columns.size());
     if (isNew)
     {
-      gathered.Columns.push_back(pemesh::ColumnNumbers(table, name));
+      gathered.Columns.push_back(WithoutRounding(pemesh::ColumnNumbers(table, name)));
     }
     return place->second;
   };

@@ -23,6 +23,9 @@
  *   performance. Element ids (`_element`), histograms and the columns in the list `Measured` of the
  *   field data (seconds) take part only if named.
  *
+ * Values: a column whose values differ by less than 1e-12 of their size has one value only; the
+ * order of rounding errors says nothing.
+ *
  * Rows: the meshes of one family deform one into the next. They are no sample, every pair of
  *   monotone quantities along it would be "significant", and there are neither p-values nor
  *   intervals. Where a column tells several families apart (FamilyColumn, or a column `Study`),

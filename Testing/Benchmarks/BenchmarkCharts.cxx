@@ -8,7 +8,7 @@
  * For a scatter of that many points (a density; coloured by a number; by classes), lines, and a
  * scatter of 10^4 points, the most that are drawn one by one: the first frame, which reads the
  * table, a frame after zooming in a little (median of nine), how much quicker that is than drawing
- * every point as it is (a dot each, or one line), a pick and a selection by rectangle. Pictures of
+ * every point as a dot, a pick and a selection by rectangle. Pictures of
  * 1200 x 800 pixels; milliseconds of processor time, with making and handing over the pixels.
  */
 #include "ChartPick.h"
@@ -91,8 +91,8 @@ double TimeChart(vtkPEMChart* chart)
   return TimeFrame([chart](vtkContext2D* context) { chart->Paint(context); });
 }
 
-/** Every row as a dot, or all joined by one line, without axes and without any thinning. */
-double TimePlain(vtkTable* table, const char* x, bool joined)
+/** Every row as a dot, without axes and without any thinning. */
+double TimePlain(vtkTable* table, const char* x)
 {
   auto* xs = vtkDoubleArray::SafeDownCast(table->GetColumnByName(x));
   auto* ys = vtkDoubleArray::SafeDownCast(table->GetColumnByName("y"));
@@ -109,9 +109,8 @@ double TimePlain(vtkTable* table, const char* x, bool joined)
   return TimeFrame(
     [&](vtkContext2D* context)
     {
-      const int count = static_cast<int>(points.size() / 2);
-      context->GetPen()->SetWidth(joined ? 1.5F : 4.0F);
-      joined ? context->DrawPoly(points.data(), count) : context->DrawPoints(points.data(), count);
+      context->GetPen()->SetWidth(4.0F);
+      context->DrawPoints(points.data(), static_cast<int>(points.size() / 2));
     });
 }
 
@@ -139,7 +138,7 @@ void Measure(const char* name, vtkTable* table, const char* kind, const char* x,
   start = std::clock();
   chart->SelectRectangle(500, 300, 700, 500);
   const double select = Milliseconds(start);
-  const double plain = TimePlain(table, x, kind == std::string("line"));
+  const double plain = TimePlain(table, x);
   std::printf("%-22s %8.1f %8.1f %8.1f %8.1f %8.1f %8.1f\n", name, first, frame, plain,
     plain / frame, pick, select);
   std::fflush(stdout);

@@ -64,4 +64,29 @@ TEST(LineThinning, ShortLinesStayAsTheyAre)
   EXPECT_EQ(points, before);
 }
 
+/** What a line covers in each column, from end to end and without gaps. */
+TEST(LineThinning, DenseLinesAreStrips)
+{
+  std::vector<float> line;
+  for (int i = 0; i < 10000; ++i)
+  {
+    const float x = 0.01F * static_cast<float>(i);
+    line.insert(line.end(), { x, (i % 2 == 0 ? 1.0F : -1.0F) * (1.0F + std::floor(x)) });
+  }
+  const std::vector<float> strip = pemesh::StripOfLine(line, 1.0, 0.25);
+  ASSERT_EQ(strip.size(), 400U);
+  for (std::size_t column = 0; column < 100; ++column)
+  {
+    EXPECT_NEAR(strip[4 * column], column + 0.5, 1e-4);
+    EXPECT_NEAR(strip[4 * column + 3], column + 1.25, 1.1) << "the next column may share its way";
+    EXPECT_LE(strip[4 * column + 1], -(column + 1.25) + 1e-4);
+    EXPECT_GE(strip[4 * column + 3], column + 1.25 - 1e-4);
+  }
+  EXPECT_TRUE(pemesh::StripOfLine({ line.begin(), line.begin() + 2000 }, 1.0, 0.25).empty());
+  EXPECT_TRUE(pemesh::StripOfLine(line, 0.02, 0.25).empty()) << "few points a column";
+  std::vector<float> back = line;
+  back.insert(back.end(), line.begin(), line.end());
+  EXPECT_TRUE(pemesh::StripOfLine(back, 1.0, 0.25).empty());
+}
+
 } // namespace

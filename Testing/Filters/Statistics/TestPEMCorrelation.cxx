@@ -334,6 +334,31 @@ TEST(PEMCorrelation, UnknownAndTextColumnsAreErrors)
   EXPECT_NE(complaint("Mesh").find("holds text"), std::string::npos);
 }
 
+/** Rounding errors in a value that does not change are no finding. */
+TEST(PEMCorrelation, RoundingErrorsAreNoRelation)
+{
+  vtkNew<vtkTable> table = MakeSeries();
+  Numbers size;
+  Numbers fine;
+  for (int i = 0; i < 8; ++i)
+  {
+    size.push_back(0.5 + i * 1e-15);
+    fine.push_back(0.5 + i * 1e-10);
+  }
+  size[3] = NaN;
+  AddColumn<vtkDoubleArray>(table, "run_size", size);
+  AddColumn<vtkDoubleArray>(table, "run_fine", fine);
+  vtkNew<vtkPEMCorrelation> correlation;
+  correlation->SetInputData(table);
+  correlation->SetXColumns({ "Area_min" });
+  correlation->SetYColumns({ "run_size", "run_fine" });
+  correlation->Update();
+  vtkTable* result = correlation->GetOutput();
+  EXPECT_EQ(result->GetValueByName(0, "Words").ToString(), "undefined: Y has one value only");
+  EXPECT_EQ(result->GetValueByName(0, "N").ToInt(), 7);
+  EXPECT_EQ(result->GetValueByName(1, "Spearman").ToDouble(), -1.0);
+}
+
 TEST(PEMCorrelation, WrongOptionsAreErrors)
 {
   vtkNew<vtkTable> table = MakeSeries();
