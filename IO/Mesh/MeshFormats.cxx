@@ -55,7 +55,7 @@ constexpr std::array Formats{
     "Read: text and binary; corners with the same coordinates become one vertex. Written: text.",
     StlExtensions, ReadStl, WriteStl, false, 3, false, "" },
   MeshFormat{ "vtp", "VTP (VTK)",
-    "Read: any encoding. Written: raw appended data, the same bytes for the same mesh.",
+    "Read: any encoding. Written: binary data in place, the same bytes for the same mesh.",
     VtpExtensions, ReadVtp, WriteVtp, true, AnyCorners, true, VtkReference },
   MeshFormat{ "vtu", "VTU (VTK)",
     "Read: any encoding; triangles, quadrilaterals and polygons. Written: as vtp.", VtuExtensions,

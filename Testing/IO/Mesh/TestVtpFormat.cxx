@@ -111,6 +111,40 @@ TEST(VtpFormat, TheTimeOfTheRequestIsNoPartOfTheFile)
   EXPECT_TRUE(mesh->GetInformation()->Has(vtkDataObject::DATA_TIME_STEP())); // left alone
 }
 
+TEST(VtpFormat, HasNoAppendedDataWhichParaViewCannotRead)
+{
+  using testing::HasSubstr;
+  const auto path = TestFolder() / "square.vtp";
+  WriteMesh(path, MakeHouse());
+  const std::string bytes = ReadBytes(path);
+  EXPECT_THAT(bytes, HasSubstr("format=\"binary\""));
+  EXPECT_THAT(bytes, testing::Not(HasSubstr("appended")));
+}
+
+TEST(VtpFormat, ArraysMayHoldInfinity)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto mesh = MakeHouse();
+  for (const int components : { 1, 2 })
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(components == 1 ? "number" : "vector");
+    values->SetNumberOfComponents(components);
+    values->SetNumberOfTuples(3);
+    values->Fill(1e300); // whose square is infinite
+    values->SetValue(0, infinity);
+    mesh->GetCellData()->AddArray(values);
+  }
+  for (const char* name : { "mesh.vtp", "mesh.vtu" })
+  {
+    const std::filesystem::path path = TestFolder() / name;
+    WriteMesh(path, mesh);
+    const auto again = ReadMesh(path);
+    EXPECT_EQ(again->GetCellData()->GetArray("number")->GetTuple1(0), infinity);
+    EXPECT_EQ(again->GetCellData()->GetArray("vector")->GetComponent(2, 1), 1e300);
+  }
+}
+
 TEST(VtpFormat, AFailedCaseKeepsItsStatus)
 {
   vtkNew<vtkPolyData> mesh;
