@@ -198,9 +198,8 @@ TEST(ExternalSolverFailures, AMeshThatTheFormatWouldCutIsNotSolved)
 {
   // Gmsh's files hold triangles and quadrilaterals: a pentagon would be another mesh.
   const auto solver = MakeSolver("ok");
-  SolverDescription description;
+  SolverDescription description = FakeSolver("ok");
   description.MeshFormat = "gmsh";
-  description.Command = { "true", "{mesh}" };
   solver->SetDescription(description);
   solver->SetInputData(
     MakeTestMesh({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0.5, 2 }, { 0, 1 } }, { { 0, 1, 2, 3, 4 } }));
