@@ -444,7 +444,13 @@ SolverOutcome RunSolver(const SolverRun& run, vtkPolyData* mesh)
   {
     return Failure("no-mesh", "There is no mesh to solve on: " + GetCaseStatusMessage(mesh));
   }
-  const std::string reason = ElementAccess::WhyUnusable(mesh);
+  std::string reason = ElementAccess::WhyUnusable(mesh);
+  const MeshFormat* format = FindMeshFormat(run.Description.MeshFormat);
+  if (reason.empty() && format && CountElementsToCut(*format, mesh) > 0)
+  {
+    reason = "the format " + run.Description.MeshFormat + " holds elements of at most " +
+      std::to_string(format->MostCorners) + " vertices, and this mesh has larger ones";
+  }
   if (!reason.empty())
   {
     return Failure("no-mesh", "There is no mesh to solve on: " + reason);

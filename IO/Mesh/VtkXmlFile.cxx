@@ -123,48 +123,48 @@ void CopyArraysWithoutInformation(vtkFieldData* from, vtkFieldData* to)
   }
 }
 
-/** The largest number in the quotes after `name`, of all that begin so: NumberOfPoints="12". */
-std::size_t LargestAttribute(std::string_view text, std::string_view name)
+/** The number in the quotes after `name` in a tag of XML, 0 where there is none. */
+std::size_t NumberInTag(std::string_view tag, std::string_view name)
 {
-  std::size_t largest = 0;
-  for (std::size_t at = text.find(name); at != std::string_view::npos; at = text.find(name, at + 1))
+  const std::size_t at = tag.find(name);
+  const std::size_t quote =
+    at == std::string_view::npos ? at : tag.find_first_of("\"'", at + name.size());
+  if (quote == std::string_view::npos)
   {
-    const std::size_t quote = text.find_first_of("\"'>", at);
-    if (quote != std::string_view::npos)
-    {
-      std::size_t value = 0;
-      const auto result =
-        std::from_chars(text.data() + quote + 1, text.data() + text.size(), value);
-      const bool isTooLarge = result.ec == std::errc::result_out_of_range;
-      largest = isTooLarge ? std::string_view::npos : std::max(largest, value);
-    }
+    return 0;
   }
-  return largest;
+  std::size_t value = 0;
+  const auto result = std::from_chars(tag.data() + quote + 1, tag.data() + tag.size(), value);
+  return result.ec == std::errc::result_out_of_range ? std::string_view::npos : value;
 }
 
 /** VTK takes the memory that the counts of a file ask for before it reads: they must be such that
  * the file could hold them, with the best that its compressors do (zlib, 1 to 1032). */
 void CheckCounts(const std::filesystem::path& path, const char* kind)
 {
-  constexpr std::size_t usualHead = 1 << 16;
-  std::string text = ReadTextFile(path, usualHead);
-  if (text.size() == usualHead && text.find("<AppendedData") == std::string::npos)
-  {
-    text = ReadTextFile(path);
-  }
-  const std::string_view head = std::string_view(text).substr(0, text.find("<AppendedData"));
+  const std::string text = ReadTextFile(path);
   constexpr std::size_t mostCompression = 1032;
-  const std::size_t most = std::filesystem::file_size(path) * mostCompression;
-  const std::size_t components =
-    std::max<std::size_t>(1, LargestAttribute(head, "NumberOfComponents"));
-  for (const char* name : { "NumberOfPoints", "NumberOfCells", "NumberOfPolys", "NumberOfVerts",
-         "NumberOfLines", "NumberOfStrips", "NumberOfTuples" })
+  const std::size_t most = text.size() * mostCompression;
+  std::size_t components = 1;
+  std::size_t largest = 0;
+  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1))
   {
-    if (LargestAttribute(head, name) > most / components)
+    const std::string_view tag = std::string_view(text).substr(at, text.find('>', at) - at);
+    components = std::max(components, NumberInTag(tag, "NumberOfComponents"));
+    for (const char* name : { "NumberOfPoints", "NumberOfCells", "NumberOfPolys", "NumberOfVerts",
+           "NumberOfLines", "NumberOfStrips", "NumberOfTuples" })
     {
-      FailMeshFile(
-        path, std::string("cannot be read as ") + kind + ": it announces more than it can hold");
+      largest = std::max(largest, NumberInTag(tag, name));
     }
+    if (tag.substr(0, 13) == "<AppendedData")
+    {
+      break; // bytes, not tags
+    }
+  }
+  if (largest > most / components)
+  {
+    FailMeshFile(
+      path, std::string("cannot be read as ") + kind + ": it announces more than it can hold");
   }
 }
 

@@ -9,7 +9,10 @@
 
 #include <filesystem>
 
-#include <vtkSmartPointer.h> // For return type
+#include <vtkDataArray.h>     // For the keys of ranges
+#include <vtkInformation.h>   // For their removal
+#include <vtkObjectFactory.h> // For New
+#include <vtkSmartPointer.h>  // For return type
 
 class vtkCellArray;
 class vtkDataObject;
@@ -21,13 +24,36 @@ class vtkXMLWriter;
 namespace pemesh
 {
 
+/**
+ * A writer of VTK that leaves out the ranges that it computes of its own accord: they are infinite
+ * where the squares of values are, and then VTK's readers refuse the whole file.
+ */
+template <typename Writer>
+class WriterWithoutRanges : public Writer
+{
+public:
+  static WriterWithoutRanges* New() { VTK_STANDARD_NEW_BODY(WriterWithoutRanges); }
+
+protected:
+  /** Between the header of an array, which computes its range, and its information. */
+  void WriteInlineData(vtkAbstractArray* array, vtkIndent indent) override
+  {
+    this->Writer::WriteInlineData(array, indent);
+    if (array->HasInformation())
+    {
+      array->GetInformation()->Remove(vtkDataArray::L2_NORM_RANGE());
+      array->GetInformation()->Remove(vtkDataArray::L2_NORM_FINITE_RANGE());
+    }
+  }
+};
+
 /** Reads the file, or throws; `kind` is the name of the format in messages, "VTP". */
 void ReadVtkXml(const std::filesystem::path& path, vtkXMLDataReader* reader, const char* kind);
 
 /**
- * Writes binary data in place, not compressed: the same bytes for the same mesh. Appended data
- * would be read and written faster, but ParaView 5.11 cannot read them any more since libexpat
- * defers parsing (its 2.6.0, and Debian 12's 2.5.0-1+deb12u2; CVE-2023-52425).
+ * Writes binary data in place, not compressed. Appended data would be read and written faster, but
+ * ParaView 5.11 cannot read them any more since libexpat defers parsing (its 2.6.0, and Debian 12's
+ * 2.5.0-1+deb12u2; CVE-2023-52425).
  */
 void WriteVtkXml(const std::filesystem::path& path, vtkXMLWriter* writer, vtkDataObject* data);
 

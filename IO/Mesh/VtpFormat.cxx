@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * VTP, VTK's XML format for vtkPolyData, with all arrays.
+ * VTP, VTK's XML format for vtkPolyData, with all arrays. The bytes of
+ * a file are the same for the same mesh.
  */
 #include "FormatFunctions.h"
 
@@ -41,7 +42,7 @@ vtkSmartPointer<vtkPolyData> ReadVtp(const std::filesystem::path& path)
 void WriteVtp(const std::filesystem::path& path, vtkPolyData* mesh)
 {
   CheckOnlyPolygons(path, mesh);
-  vtkNew<vtkXMLPolyDataWriter> writer;
+  vtkNew<WriterWithoutRanges<vtkXMLPolyDataWriter>> writer;
   WriteVtkXml(path, writer, BareCopy(mesh));
 }
 

@@ -119,7 +119,7 @@ void WriteVtu(const std::filesystem::path& path, vtkPolyData* mesh)
   grid->GetPointData()->ShallowCopy(bare->GetPointData());
   grid->GetCellData()->ShallowCopy(bare->GetCellData());
   grid->GetFieldData()->ShallowCopy(bare->GetFieldData());
-  vtkNew<vtkXMLUnstructuredGridWriter> writer;
+  vtkNew<WriterWithoutRanges<vtkXMLUnstructuredGridWriter>> writer;
   WriteVtkXml(path, writer, grid);
 }
 

@@ -194,6 +194,18 @@ TEST(ExternalSolverFailures, AFailedMeshIsNotSolved)
   ExpectFailed(solver, "no-mesh", "no polygons");
 }
 
+TEST(ExternalSolverFailures, AMeshThatTheFormatWouldCutIsNotSolved)
+{
+  // Gmsh's files hold triangles and quadrilaterals: a pentagon would be another mesh.
+  const auto solver = MakeSolver("ok");
+  SolverDescription description = FakeSolver("ok");
+  description.MeshFormat = "gmsh";
+  solver->SetDescription(description);
+  solver->SetInputData(
+    MakeTestMesh({ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0.5, 2 }, { 0, 1 } }, { { 0, 1, 2, 3, 4 } }));
+  ExpectFailed(solver, "no-mesh", "at most 4 vertices");
+}
+
 TEST(ExternalSolverFailures, AWorkDirectoryThatCannotBeMade)
 {
   const auto solver = MakeSolver("ok");

@@ -121,6 +121,30 @@ TEST(VtpFormat, HasNoAppendedDataWhichParaViewCannotRead)
   EXPECT_THAT(bytes, testing::Not(HasSubstr("appended")));
 }
 
+TEST(VtpFormat, ArraysMayHoldInfinity)
+{
+  const double infinity = std::numeric_limits<double>::infinity();
+  const auto mesh = MakeHouse();
+  for (const int components : { 1, 2 })
+  {
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(components == 1 ? "number" : "vector");
+    values->SetNumberOfComponents(components);
+    values->SetNumberOfTuples(3);
+    values->Fill(1e300); // whose square is infinite
+    values->SetValue(0, infinity);
+    mesh->GetCellData()->AddArray(values);
+  }
+  for (const char* name : { "mesh.vtp", "mesh.vtu" })
+  {
+    const std::filesystem::path path = TestFolder() / name;
+    WriteMesh(path, mesh);
+    const auto again = ReadMesh(path);
+    EXPECT_EQ(again->GetCellData()->GetArray("number")->GetTuple1(0), infinity);
+    EXPECT_EQ(again->GetCellData()->GetArray("vector")->GetComponent(2, 1), 1e300);
+  }
+}
+
 TEST(VtpFormat, AFailedCaseKeepsItsStatus)
 {
   vtkNew<vtkPolyData> mesh;
