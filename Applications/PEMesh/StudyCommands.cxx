@@ -4,6 +4,7 @@
  * run, generate and solve: studies, handed to the Runner.
  */
 #include "Commands.h"
+#include "NumberText.h"
 #include "Terminal.h"
 #include "vtkPEMRunner.h"
 
@@ -63,11 +64,6 @@ void StopActiveRunner(int)
   }
 }
 
-std::string Counted(int count, const char* one, const char* many)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /** Runs, tells what went wrong and where the results are. */
 int RunToEnd(vtkPEMRunner* runner, const std::string& label)
 {
@@ -91,9 +87,9 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
     return WrongUsage;
   }
   const int reused = runner->GetNumberOfReusedCases();
-  std::cout << Counted(runner->GetNumberOfCases(), "mesh", "meshes")
+  std::cout << FormatCount(runner->GetNumberOfCases(), "mesh", "meshes")
             << (reused > 0 ? " (" + std::to_string(reused) + " as they were)" : "") << ", "
-            << Counted(runner->GetNumberOfFailures(), "failure", "failures")
+            << FormatCount(runner->GetNumberOfFailures(), "failure", "failures")
             << ". Results: " << runner->GetOutputDirectory() << "\n";
   for (const std::string& file : runner->GetFigureFiles())
   {
