@@ -5,6 +5,7 @@
  */
 #include "Commands.h"
 #include "MeshFormats.h"
+#include "NumberText.h"
 #include "Terminal.h"
 #include "vtkPEMRunner.h"
 
@@ -64,11 +65,6 @@ void StopActiveRunner(int)
   }
 }
 
-std::string Counted(int count, const char* one, const char* many)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /** Runs, tells what went wrong and where the results are. */
 int RunToEnd(vtkPEMRunner* runner, const std::string& label)
 {
@@ -92,9 +88,9 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
     return WrongUsage;
   }
   const int reused = runner->GetNumberOfReusedCases();
-  std::cout << Counted(runner->GetNumberOfCases(), "mesh", "meshes")
+  std::cout << FormatCount(runner->GetNumberOfCases(), "mesh", "meshes")
             << (reused > 0 ? " (" + std::to_string(reused) + " as they were)" : "") << ", "
-            << Counted(runner->GetNumberOfFailures(), "failure", "failures")
+            << FormatCount(runner->GetNumberOfFailures(), "failure", "failures")
             << ". Results: " << runner->GetOutputDirectory() << "\n";
   for (const std::string& file : runner->GetFigureFiles())
   {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMReport.h"
 
+#include "NumberText.h"
 #include "PageStyle.h"
 #include "ReportContents.h"
 #include "ReportFigures.h"
@@ -35,26 +36,22 @@ constexpr std::array<pemesh::ReportSection, 9> Sections{ {
   { "methods", "Methods and words", pemesh::MakeMethods },
 } };
 
-std::string Counted(vtkIdType count, const char* one, const char* many)
-{
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 Html MakeHeader(const pemesh::ReportContents& contents)
 {
   const vtkIdType failures = contents.Failures ? contents.Failures->GetNumberOfRows() : 0;
   Html header =
     HtmlElement("h1", contents.TheStudy.Name.empty() ? "A study" : contents.TheStudy.Name);
-  const std::string meshes = Counted(contents.Results->GetNumberOfRows(), "mesh", "meshes");
+  const std::string meshes =
+    pemesh::FormatCount(contents.Results->GetNumberOfRows(), "mesh", "meshes");
   const auto runs = static_cast<vtkIdType>(contents.TheStudy.Solvers.size());
   header += HtmlElement("p", { { "class", "lead" } },
     pemesh::HtmlText(runs == 0 ? "The geometry of " + meshes + "."
                                : "How the geometry of " + meshes + " affects " +
-          Counted(runs, "run of a solver", "runs of solvers") + "."));
+          pemesh::FormatCount(runs, "run of a solver", "runs of solvers") + "."));
   if (failures > 0)
   {
     header += HtmlElement("p", { { "class", "failed" } },
-      pemesh::HtmlText(Counted(failures, "failure", "failures") + ": ") +
+      pemesh::HtmlText(pemesh::FormatCount(failures, "failure", "failures") + ": ") +
         HtmlElement("a", { { "href", "#failures" } }, pemesh::HtmlText("see below")));
   }
   for (const std::string& remark : contents.Remarks)

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ElementTable.h"
 
-#include <algorithm>
-#include <limits>
+#include "TableRows.h"
 
 #include <vtkCellData.h>
 #include <vtkDataArray.h>
@@ -22,72 +21,25 @@ namespace
 
 using NamedTables = std::vector<std::pair<std::string, vtkSmartPointer<vtkTable>>>;
 
-/** Names of columns in the order in which they first come. */
-std::vector<std::string> ColumnsOf(const NamedTables& tables)
+/** The table behind a column `Mesh` that says whose rows they are, if it has none. */
+vtkSmartPointer<vtkTable> WithMesh(const std::string& name, vtkTable* table)
 {
-  std::vector<std::string> names;
-  for (const auto& [name, table] : tables)
+  auto named = vtkSmartPointer<vtkTable>::New();
+  if (!table->GetColumnByName("Mesh"))
   {
-    for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
-    {
-      const std::string column = table->GetColumnName(i);
-      if (std::find(names.begin(), names.end(), column) == names.end())
-      {
-        names.push_back(column);
-      }
-    }
-  }
-  return names;
-}
-
-bool HoldsText(const NamedTables& tables, const std::string& column)
-{
-  return std::any_of(tables.begin(), tables.end(),
-    [&column](const auto& entry)
-    { return vtkStringArray::SafeDownCast(entry.second->GetColumnByName(column.c_str())); });
-}
-
-vtkSmartPointer<vtkAbstractArray> StackTexts(const NamedTables& tables, const std::string& column)
-{
-  auto texts = vtkSmartPointer<vtkStringArray>::New();
-  for (const auto& [name, table] : tables)
-  {
-    vtkAbstractArray* array = table->GetColumnByName(column.c_str());
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-    {
-      texts->InsertNextValue(array ? array->GetVariantValue(row).ToString() : vtkStdString());
-    }
-  }
-  return texts;
-}
-
-vtkSmartPointer<vtkAbstractArray> StackNumbers(const NamedTables& tables, const std::string& column)
-{
-  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
-  for (const auto& [name, table] : tables)
-  {
-    auto* array = vtkDataArray::SafeDownCast(table->GetColumnByName(column.c_str()));
-    for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
-    {
-      numbers->InsertNextValue(
-        array ? array->GetComponent(row, 0) : std::numeric_limits<double>::quiet_NaN());
-    }
-  }
-  return numbers;
-}
-
-vtkSmartPointer<vtkStringArray> NamesOfRows(const NamedTables& tables)
-{
-  auto names = vtkSmartPointer<vtkStringArray>::New();
-  names->SetName("Mesh");
-  for (const auto& [name, table] : tables)
-  {
+    vtkNew<vtkStringArray> names;
+    names->SetName("Mesh");
     for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
     {
       names->InsertNextValue(name);
     }
+    named->AddColumn(names);
   }
-  return names;
+  for (vtkIdType i = 0; i < table->GetNumberOfColumns(); ++i)
+  {
+    named->AddColumn(table->GetColumn(i));
+  }
+  return named;
 }
 
 } // namespace
@@ -99,17 +51,9 @@ vtkSmartPointer<vtkTable> StackTables(const NamedTables& tables)
     return tables.front().second;
   }
   auto stacked = vtkSmartPointer<vtkTable>::New();
-  const std::vector<std::string> columns = ColumnsOf(tables);
-  if (std::find(columns.begin(), columns.end(), "Mesh") == columns.end())
+  for (const auto& [name, table] : tables)
   {
-    stacked->AddColumn(NamesOfRows(tables));
-  }
-  for (const std::string& column : columns)
-  {
-    auto array =
-      HoldsText(tables, column) ? StackTexts(tables, column) : StackNumbers(tables, column);
-    array->SetName(column.c_str());
-    stacked->AddColumn(array);
+    AppendTableRows(stacked, WithMesh(name, table));
   }
   return stacked;
 }

@@ -30,7 +30,7 @@ PEMESHRUNNER_EXPORT vtkSmartPointer<vtkTable> MakeElementTable(
 
 /**
  * Tables one below the other, with the columns of all of them: NaN and "" where a table lacks one.
- * Where there is no column Mesh and there are several tables, their names become one. A column that
+ * Where there are several, the name of a table without the column Mesh becomes one. A column that
  * holds text in one of them holds text.
  */
 PEMESHRUNNER_EXPORT vtkSmartPointer<vtkTable> StackTables(

@@ -4,7 +4,9 @@
 
 #include "MemoryBudget.h"
 #include "MeshFormats.h"
+#include "SolverCommand.h"
 #include "SolverDescription.h"
+#include "SolverQueue.h"
 #include "Study.h"
 #include "StudyCaseKey.h"
 #include "StudyCases.h"
@@ -137,9 +139,11 @@ void StudyExecution::Work(int threads)
 {
   try
   {
+    const std::unique_ptr<SolverQueue::Worker> worker =
+      this->Queue ? std::make_unique<SolverQueue::Worker>(*this->Queue) : nullptr;
     StudyPipeline pipeline(this->TheStudy, this->Solvers,
       { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries,
-        this->Budget.get() },
+        this->Budget.get(), this->Queue.get() },
       this->Stop);
     while (!this->Stop)
     {
@@ -203,6 +207,7 @@ void StudyExecution::SaveProgress()
   }
   try
   {
+    this->Journal.Flush();
     this->Results->Finish();
     this->Results->Write(this->Chosen.Folder, !this->Chosen.WritesTables);
   }
@@ -215,6 +220,18 @@ void StudyExecution::SaveProgress()
   this->NextSave = Clock::now() + std::max<Clock::duration>(least, rarity * (Clock::now() - start));
 }
 
+/** A list is made of meshes that are all there: each waits in a worker of its own. */
+int StudyExecution::MeshesAtOnce(int atWork) const
+{
+  int longest = 1;
+  for (const SolverDescription& solver : this->Solvers)
+  {
+    longest = std::max(longest, TakesList(solver) ? solver.MeshesPerCall : 1);
+  }
+  const auto cases = static_cast<std::int64_t>(this->Cases.size());
+  return static_cast<int>(std::min(cases, std::int64_t{ atWork } * longest));
+}
+
 std::string StudyExecution::Run(StudyResults& results, StudyFigures& figures, const Report& report)
 {
   this->Results = &results;
@@ -223,18 +240,29 @@ std::string StudyExecution::Run(StudyResults& results, StudyFigures& figures, co
   this->NextSave = std::chrono::steady_clock::now() + firstSave;
   const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   const int wanted = this->Chosen.Workers > 0 ? this->Chosen.Workers : cores;
-  const int count = std::min(wanted, static_cast<int>(this->Cases.size()));
-  const int threads = std::max(1, cores / count);
-  std::vector<std::thread> workers;
-  for (int i = 0; i < count; ++i)
+  const int atWork = std::min(wanted, static_cast<int>(this->Cases.size()));
+  const int count = this->MeshesAtOnce(atWork);
+  const int threads = std::max(1, cores / atWork);
+  this->Queue = count > atWork ? std::make_unique<SolverQueue>(count, atWork) : nullptr;
+  std::vector<std::jthread> workers;
+  try
   {
-    workers.emplace_back([this, threads] { this->Work(threads); });
+    for (int i = 0; i < count; ++i)
+    {
+      workers.emplace_back([this, threads] { this->Work(threads); });
+    }
+    this->WaitForWorkers(workers.size(), report);
   }
-  this->WaitForWorkers(workers.size(), report);
-  for (std::thread& worker : workers)
+  catch (...)
   {
-    worker.join();
+    this->Stop = true; // the workers end with what they do, and are waited for
+    for (auto i = static_cast<int>(workers.size()); this->Queue && i < count; ++i)
+    {
+      this->Queue->Leave();
+    }
+    throw;
   }
+  workers.clear();
   if (!this->WrongConfiguration.empty())
   {
     throw std::runtime_error(this->WrongConfiguration);

@@ -24,6 +24,7 @@ namespace pemesh
 {
 
 class MemoryBudget;
+class SolverQueue;
 class StudyFigures;
 class StudyJournal;
 class StudyPipeline;
@@ -64,6 +65,7 @@ public:
   int GetNumberOfReusedCases() const { return this->CasesReused; }
 
 private:
+  int MeshesAtOnce(int atWork) const;
   void Work(int threads);
   void DoCase(StudyPipeline& pipeline, const StudyCase& studyCase);
   bool ReuseCase(const StudyCase& studyCase, const std::string& key);
@@ -80,6 +82,7 @@ private:
   std::atomic<bool>& Stop;
   std::vector<std::filesystem::path> MeshFiles;
   std::unique_ptr<MemoryBudget> Budget;
+  std::unique_ptr<SolverQueue> Queue; // where a solver takes lists
   StudyResults* Results = nullptr;
   StudyFigures* Figures = nullptr;
   std::chrono::steady_clock::time_point NextSave;

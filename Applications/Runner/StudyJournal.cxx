@@ -4,7 +4,9 @@
 
 #include "CaseStatus.h"
 #include "NumberText.h"
+#include "TableRows.h"
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
@@ -32,12 +34,23 @@ namespace pemesh
 namespace
 {
 
-// The kind of a column: its type, then what it is.
-constexpr char Text = 't';
-constexpr char Integer = 'i';
-constexpr char Number = 'n';
-constexpr char Measured = 'm';
-constexpr char Parameter = 'p';
+/** The letter of a kind of columns. */
+struct KindLetter
+{
+  char Letter;
+  ColumnKind Kind;
+};
+constexpr std::array<KindLetter, 3> KindLetters{ { { 't', ColumnKind::Text },
+  { 'i', ColumnKind::Integer }, { 'n', ColumnKind::Number } } };
+
+/** The letter of a list that a column may be in, behind that of its kind. */
+struct ListLetter
+{
+  char Letter;
+  const char* List;
+};
+constexpr std::array<ListLetter, 2> ListLetters{ { { 'm', MeasuredList },
+  { 'p', ParametersList } } };
 
 void AppendField(std::string& line, std::string_view field)
 {
@@ -105,18 +118,19 @@ std::vector<std::string> SplitLine(std::string_view line)
   return fields;
 }
 
-std::string KindOf(vtkTable* row, vtkIdType column)
+std::string LettersOf(vtkTable* row, vtkIdType column)
 {
   vtkAbstractArray* array = row->GetColumn(column);
-  const bool isNumber = vtkDataArray::SafeDownCast(array) != nullptr;
-  const int type = array->GetDataType();
-  std::string kind(1,
-    !isNumber                                   ? Text
-      : type == VTK_DOUBLE || type == VTK_FLOAT ? Number
-                                                : Integer);
-  kind += IsInFieldList(row, MeasuredList, array->GetName()) ? std::string(1, Measured) : "";
-  kind += IsInFieldList(row, ParametersList, array->GetName()) ? std::string(1, Parameter) : "";
-  return kind;
+  std::string letters;
+  for (const KindLetter& entry : KindLetters)
+  {
+    letters += entry.Kind == KindOfColumn(array) ? std::string(1, entry.Letter) : "";
+  }
+  for (const ListLetter& entry : ListLetters)
+  {
+    letters += IsInFieldList(row, entry.List, array->GetName()) ? std::string(1, entry.Letter) : "";
+  }
+  return letters;
 }
 
 std::string ValueOf(vtkAbstractArray* array)
@@ -125,30 +139,32 @@ std::string ValueOf(vtkAbstractArray* array)
   {
     return {};
   }
-  const int type = array->GetDataType();
-  return type == VTK_DOUBLE || type == VTK_FLOAT
+  return KindOfColumn(array) == ColumnKind::Number
     ? FormatNumber(vtkDataArray::SafeDownCast(array)->GetComponent(0, 0))
     : array->GetVariantValue(0).ToString();
 }
 
 /** A column of one value. */
-vtkSmartPointer<vtkAbstractArray> MakeColumn(char type, const std::string& value)
+vtkSmartPointer<vtkAbstractArray> MakeColumn(
+  char letter, const std::string& name, const std::string& value)
 {
-  if (type == Text)
+  const auto* entry = std::find_if(KindLetters.begin(), KindLetters.end(),
+    [letter](const KindLetter& candidate) { return candidate.Letter == letter; });
+  auto column = NewColumn(entry == KindLetters.end() ? ColumnKind::Number : entry->Kind, name);
+  const double number = ParseNumber(value).value_or(std::numeric_limits<double>::quiet_NaN());
+  if (auto* texts = vtkStringArray::SafeDownCast(column))
   {
-    auto texts = vtkSmartPointer<vtkStringArray>::New();
     texts->InsertNextValue(value);
-    return texts;
   }
-  if (type == Integer)
+  else if (auto* integers = vtkIdTypeArray::SafeDownCast(column))
   {
-    auto integers = vtkSmartPointer<vtkIdTypeArray>::New();
     integers->InsertNextValue(static_cast<vtkIdType>(ParseInteger(value).value_or(0)));
-    return integers;
   }
-  auto numbers = vtkSmartPointer<vtkDoubleArray>::New();
-  numbers->InsertNextValue(ParseNumber(value).value_or(std::numeric_limits<double>::quiet_NaN()));
-  return numbers;
+  else
+  {
+    vtkDoubleArray::SafeDownCast(column)->InsertNextValue(number);
+  }
+  return column;
 }
 
 } // namespace
@@ -160,40 +176,36 @@ StudyJournal::StudyJournal(const std::filesystem::path& path, bool keepsRows, st
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
   constexpr int flags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW;
-  this->File = open(path.c_str(), flags, 0666);
-  if (this->File < 0)
+  this->File.Reset(open(path.c_str(), flags, 0666));
+  if (!this->File.IsOpen())
   {
     throw std::runtime_error(
       "Cannot write \"" + path.string() + "\": " + std::strerror(errno) + ".");
   }
-  if (flock(this->File, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  if (flock(this->File.Get(), LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
   {
-    close(this->File);
     throw std::runtime_error("Another run is writing into \"" + path.parent_path().string() +
       "\"; wait for its end, or name another folder with -o.");
   }
-  try
+  if (keepsRows)
   {
-    if (keepsRows)
-    {
-      this->Load();
-    }
-    if (ftruncate(this->File, static_cast<off_t>(this->End)) != 0)
-    {
-      throw std::runtime_error(
-        "Cannot write \"" + path.string() + "\": " + std::strerror(errno) + ".");
-    }
+    this->Load();
   }
-  catch (...)
+  if (ftruncate(this->File.Get(), static_cast<off_t>(this->End)) != 0)
   {
-    close(this->File);
-    throw;
+    throw std::runtime_error(
+      "Cannot write \"" + path.string() + "\": " + std::strerror(errno) + ".");
   }
 }
 
 StudyJournal::~StudyJournal()
 {
-  close(this->File);
+  this->Flush();
+}
+
+void StudyJournal::Flush()
+{
+  fdatasync(this->File.Get()); // where it fails, WriteLine has said so, or will
 }
 
 void StudyJournal::Load()
@@ -205,7 +217,7 @@ void StudyJournal::Load()
     const std::size_t before = text.size();
     text.resize(before + piece);
     const ssize_t got =
-      pread(this->File, text.data() + before, piece, static_cast<off_t>(this->End + before));
+      pread(this->File.Get(), text.data() + before, piece, static_cast<off_t>(this->End + before));
     text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(0, got)));
     std::size_t begin = 0;
     for (std::size_t end = 0; (end = text.find('\n', begin)) != std::string::npos; begin = end + 1)
@@ -252,12 +264,12 @@ StudyJournal::Place StudyJournal::WriteLine(std::string line)
   line += '\n';
   for (std::size_t done = 0; done < line.size();)
   {
-    const ssize_t written = pwrite(
-      this->File, line.data() + done, line.size() - done, static_cast<off_t>(this->End + done));
+    const ssize_t written = pwrite(this->File.Get(), line.data() + done, line.size() - done,
+      static_cast<off_t>(this->End + done));
     if (written < 0 && errno != EINTR)
     {
       const std::string why = std::strerror(errno);
-      const int ignored = ftruncate(this->File, static_cast<off_t>(this->End));
+      const int ignored = ftruncate(this->File.Get(), static_cast<off_t>(this->End));
       throw std::runtime_error("Cannot write \"" + this->Path.string() + "\": " + why +
         (ignored == 0 ? "." : ", and it ends with half a line."));
     }
@@ -273,7 +285,7 @@ std::string StudyJournal::ColumnsOf(vtkTable* row)
   std::string text;
   for (vtkIdType i = 0; i < row->GetNumberOfColumns(); ++i)
   {
-    columns.push_back(KindOf(row, i) + ':' + row->GetColumnName(i));
+    columns.push_back(LettersOf(row, i) + ':' + row->GetColumnName(i));
     AppendField(text, columns.back());
   }
   std::string& number = this->ColumnNumbers[text];
@@ -326,7 +338,8 @@ bool StudyJournal::Has(int index) const
 std::string StudyJournal::ReadLine(const Place& place) const
 {
   std::string line(place.Length, '\0');
-  const ssize_t got = pread(this->File, line.data(), line.size(), static_cast<off_t>(place.Offset));
+  const ssize_t got =
+    pread(this->File.Get(), line.data(), line.size(), static_cast<off_t>(place.Offset));
   if (got != static_cast<ssize_t>(line.size()))
   {
     throw std::runtime_error("Cannot read \"" + this->Path.string() + "\" where its rows were.");
@@ -351,17 +364,14 @@ vtkSmartPointer<vtkTable> StudyJournal::Read(int index) const
   {
     const std::string& column = columns->second[i];
     const std::size_t colon = column.find(':');
-    const std::string kind = column.substr(0, colon);
+    const std::string letters = column.substr(0, colon);
     const std::string name = column.substr(colon + 1);
-    auto array = MakeColumn(kind[0], fields[firstValue + i]);
-    array->SetName(name.c_str());
-    row->AddColumn(array);
-    for (const auto& [letter, list] :
-      { std::pair{ Measured, MeasuredList }, std::pair{ Parameter, ParametersList } })
+    row->AddColumn(MakeColumn(letters[0], name, fields[firstValue + i]));
+    for (const ListLetter& entry : ListLetters)
     {
-      if (kind.find(letter) != std::string::npos)
+      if (letters.find(entry.Letter) != std::string::npos)
       {
-        AddToFieldList(row, list, name);
+        AddToFieldList(row, entry.List, name);
       }
     }
   }

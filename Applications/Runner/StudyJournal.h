@@ -15,6 +15,8 @@
 #ifndef pemesh_StudyJournal_h
 #define pemesh_StudyJournal_h
 
+#include "FileDescriptor.h"
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -53,6 +55,9 @@ public:
   vtkSmartPointer<vtkTable> Read(int index) const;
   ///@}
 
+  /** Brings all rows to the disk: a power cut takes only those that came after. */
+  void Flush();
+
 private:
   /** Where a line is. */
   struct Place
@@ -68,7 +73,7 @@ private:
   std::string ColumnsOf(vtkTable* row);
 
   std::filesystem::path Path;
-  int File = -1;
+  FileDescriptor File;
   std::uint64_t End = 0;
   std::vector<Place> Rows;                                 // of the cases; of length 0 if not done
   std::unordered_map<std::string, Place> Old;              // rows of an earlier run by their keys

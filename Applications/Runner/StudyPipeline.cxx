@@ -192,6 +192,7 @@ StudyPipeline::StudyPipeline(const Study& study, const std::vector<SolverDescrip
     solver->SetReuseAnswers(options.ReusesAnswers);
     solver->SetRetries(options.Retries);
     solver->SetMemoryBudget(options.Budget);
+    solver->SetQueue(options.Queue);
     solver->SetWorkDirectory((options.SolverFolder / study.Solvers[i].Name).string());
     pipeline.Append(solver);
     pipeline.Solvers.push_back(solver);

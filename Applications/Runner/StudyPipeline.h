@@ -26,6 +26,7 @@ namespace pemesh
 {
 
 class MemoryBudget;
+class SolverQueue;
 struct SolverDescription;
 struct Study;
 struct StudyCase;
@@ -43,6 +44,7 @@ public:
     bool ReusesAnswers = false;
     int Retries = 0;
     MemoryBudget* Budget = nullptr;
+    SolverQueue* Queue = nullptr;
   };
 
   /** `solvers` holds the description of every run of the study. `stop` is read at every progress.

@@ -168,8 +168,6 @@ void StudyResults::Finish()
   {
     AddValueColumn(this->Index, swept);
   }
-  vtkNew<vtkIdTypeArray> rowIndex;
-  rowIndex->SetName("Index");
   vtkNew<vtkTable> all;
   for (const StudyCase& studyCase : this->Cases)
   {
@@ -181,19 +179,18 @@ void StudyResults::Finish()
     const std::vector<StudyFailure> failures = this->FailuresOf(studyCase, row);
     this->Failures.insert(this->Failures.end(), failures.begin(), failures.end());
     AppendTableRows(all, row);
-    rowIndex->InsertNextValue(studyCase.Index);
     meshIndex->InsertNextValue(studyCase.Index);
     meshName->InsertNextValue(studyCase.Name);
     for (const SweptValue& swept : studyCase.Values)
     {
       this->Index->GetColumnByName(swept.Name.c_str())
-        ->InsertVariantValue(rowIndex->GetNumberOfValues() - 1, VariantOf(swept.Value));
+        ->InsertVariantValue(meshIndex->GetNumberOfValues() - 1, VariantOf(swept.Value));
     }
   }
   this->Timings = vtkSmartPointer<vtkTable>::New();
   this->Timings->AddColumn(meshIndex);
   this->Timings->AddColumn(meshName);
-  this->Results->AddColumn(rowIndex);
+  this->Results->AddColumn(meshIndex);
   for (vtkIdType column = 0; column < all->GetNumberOfColumns(); ++column)
   {
     const bool measured = IsInFieldList(all, MeasuredList, all->GetColumnName(column));

@@ -39,6 +39,7 @@ public:
   {
   }
 
+  void Forget();
   void LoadStudy();
   void RunCases();
   void SaveResults();
@@ -82,6 +83,18 @@ vtkPEMRunner::vtkPEMRunner()
 }
 
 vtkPEMRunner::~vtkPEMRunner() = default;
+
+/** The last run. */
+void vtkPEMRunner::Internals::Forget()
+{
+  this->Messages.clear();
+  this->FigureFiles.clear();
+  this->Correlation = nullptr;
+  this->Figures.reset();
+  this->Results.reset();
+  this->Journal.reset();
+  this->CasesReused = 0;
+}
 
 void vtkPEMRunner::Internals::LoadStudy()
 {
@@ -190,11 +203,7 @@ void vtkPEMRunner::Internals::SaveResults()
 bool vtkPEMRunner::Run()
 {
   Internals& run = *this->Implementation;
-  run.Messages.clear();
-  run.FigureFiles.clear();
-  run.Correlation = nullptr;
-  run.Results.reset();
-  run.Journal.reset();
+  run.Forget();
   run.Refused = false;
   run.Stop = false;
   try
@@ -208,13 +217,23 @@ bool vtkPEMRunner::Run()
     pemesh::WriteTextFile(
       run.Output / "study.json", pemesh::FormatStudy(pemesh::MoveStudy(run.Study, run.Output)));
     run.RunCases();
+  }
+  catch (const std::exception& error)
+  {
+    run.Forget();
+    run.Messages.emplace_back(error.what());
+    run.Refused = true;
+    return false;
+  }
+  try
+  {
     run.SaveResults();
   }
   catch (const std::exception& error)
   {
-    run.Messages.emplace_back(error.what());
-    run.Refused = true;
-    return false;
+    run.Messages.push_back(std::string(error.what()) +
+      " Nothing that was computed is lost: make room, or mend what is wrong, and --resume writes "
+      "the results.");
   }
   run.Journal.reset(); // others may go on from it
   const vtkIdType rows = run.Results->GetResults()->GetNumberOfRows();

@@ -6,7 +6,9 @@
 The lowest-order virtual element method of Beirao da Veiga et al., "The Hitchhiker's Guide to the
 Virtual Element Method" (2014), on the polygons of an OFF file; NumPy is all it needs.
 
-    python-vem.py MESH OUTPUT-FOLDER STEM
+    python-vem.py LIST
+
+LIST names a mesh file a line; the results of D/M.off go to D/M-solution.txt and so on.
 """
 import sys
 
@@ -82,17 +84,21 @@ def write(name, numbers):
         file.writelines(f"{float(number)!r}\n" for number in np.atleast_1d(numbers))
 
 
-def main(mesh, output, stem):
+def main(mesh):
     points, polygons = read_off(mesh)
     if len(points) > 5000:
         sys.exit(f"python-vem.py: {len(points)} vertices are too many for its dense matrix.")
     u, condition = solve(points, polygons)
     truth = exact(points)
-    write(f"{output}/{stem}-solution.txt", u)
-    write(f"{output}/{stem}-ground-truth.txt", truth)
-    write(f"{output}/{stem}-error-inf.txt", np.abs(u - truth).max())
-    write(f"{output}/{stem}-condition-number.txt", condition)
+    stem = mesh.removesuffix(".off")
+    write(f"{stem}-solution.txt", u)
+    write(f"{stem}-ground-truth.txt", truth)
+    write(f"{stem}-error-inf.txt", np.abs(u - truth).max())
+    write(f"{stem}-condition-number.txt", condition)
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:4])
+    # A list of meshes, one a line: Python and NumPy start once for all of them.
+    with open(sys.argv[1]) as meshes:
+        for mesh in meshes:
+            main(mesh.removesuffix("\n"))

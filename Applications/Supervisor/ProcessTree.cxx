@@ -3,6 +3,7 @@
 #include "ProcessTree.h"
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -36,20 +37,7 @@ void AppendChildren(pid_t parent, std::vector<pid_t>& processes)
   }
 }
 
-} // namespace
-
-std::vector<pid_t> Descendants()
-{
-  std::vector<pid_t> processes;
-  AppendChildren(getpid(), processes);
-  for (std::size_t i = 0; i < processes.size(); ++i)
-  {
-    AppendChildren(processes[i], processes);
-  }
-  return processes;
-}
-
-ProcessUsage UsageOf(pid_t process)
+ProcessUsage ReadUsage(pid_t process)
 {
   std::ifstream stream("/proc/" + std::to_string(process) + "/stat");
   // Empty where the process ends meanwhile: reading by iterators would throw then.
@@ -82,6 +70,38 @@ ProcessUsage UsageOf(pid_t process)
   }
   usage.ProcessorSeconds = ticks / static_cast<double>(sysconf(_SC_CLK_TCK));
   return usage;
+}
+
+} // namespace
+
+std::vector<pid_t> Descendants() noexcept
+{
+  std::vector<pid_t> processes;
+  try
+  {
+    AppendChildren(getpid(), processes);
+    for (std::size_t i = 0; i < processes.size(); ++i)
+    {
+      AppendChildren(processes[i], processes);
+    }
+  }
+  catch (const std::exception&)
+  {
+    return processes;
+  }
+  return processes;
+}
+
+ProcessUsage UsageOf(pid_t process) noexcept
+{
+  try
+  {
+    return ReadUsage(process);
+  }
+  catch (const std::exception&)
+  {
+    return {};
+  }
 }
 
 } // namespace pemesh

@@ -21,10 +21,14 @@ struct ProcessUsage
   std::uint64_t Memory = 0;      // resident, bytes; pages shared by processes count for each
 };
 
-/** Children, their children and so on. One that forks meanwhile may be missed: ask again. */
-std::vector<pid_t> Descendants();
+/**
+ * Children, their children and so on. One that forks meanwhile may be missed: ask again. Neither
+ * function throws, because nobody would keep watch if the supervisor ended: what cannot be found
+ * out is left out.
+ */
+std::vector<pid_t> Descendants() noexcept;
 
-ProcessUsage UsageOf(pid_t process);
+ProcessUsage UsageOf(pid_t process) noexcept;
 
 } // namespace pemesh
 

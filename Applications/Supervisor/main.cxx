@@ -17,6 +17,7 @@
  * the program had left running when it ended by itself.
  */
 #include "ProcessTree.h"
+#include "SupervisorProtocol.h"
 
 #include <algorithm>
 #include <array>
@@ -26,6 +27,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <string>
+#include <string_view>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -40,9 +42,9 @@ namespace
 
 using Clock = std::chrono::steady_clock;
 using Seconds = std::chrono::duration<double>;
+using pemesh::ControlDescriptor;
+using pemesh::ReportDescriptor;
 
-constexpr int ControlDescriptor = 3;
-constexpr int ReportDescriptor = 4;
 constexpr Seconds GraceAfterTerminate{ 0.5 };
 constexpr Seconds LongestKilling{ 10.0 }; // a process that hangs in the kernel cannot be killed
 
@@ -78,6 +80,11 @@ double ReapedProcessorSeconds()
   return seconds(reaped.ru_utime) + seconds(reaped.ru_stime);
 }
 
+void ReportNotStarted(int error)
+{
+  Report(std::string(pemesh::NotStartedWord) + ' ' + std::to_string(error) + " 0 0 0\n");
+}
+
 /** In the child; comes back only if it cannot. */
 void BecomeProgram(char** arguments, const Limits& limits)
 {
@@ -98,7 +105,7 @@ void BecomeProgram(char** arguments, const Limits& limits)
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   // Said by the program's own process, because it may kill this program first of all.
-  Report("started " + std::to_string(getpid()) + "\n");
+  Report(std::string(pemesh::StartedWord) + ' ' + std::to_string(getpid()) + '\n');
   execv(arguments[0], arguments);
 }
 
@@ -108,7 +115,7 @@ pid_t Start(char** arguments, const Limits& limits)
   int failure[2];
   if (pipe2(failure, O_CLOEXEC) != 0)
   {
-    Report("not-started " + std::to_string(errno) + " 0 0 0\n");
+    ReportNotStarted(errno);
     return 0;
   }
   const pid_t child = fork();
@@ -125,7 +132,7 @@ pid_t Start(char** arguments, const Limits& limits)
   close(failure[0]);
   if (child < 0 || got > 0)
   {
-    Report("not-started " + std::to_string(error) + " 0 0 0\n");
+    ReportNotStarted(error);
     return 0;
   }
   return child;
@@ -224,19 +231,19 @@ private:
   {
     if (this->IsAsked)
     {
-      return "asked";
+      return pemesh::AskedWord;
     }
     if (this->Bounds.Memory > 0.0 && this->Now.Memory > this->Bounds.Memory)
     {
-      return "memory";
+      return pemesh::MemoryWord;
     }
     if (this->Bounds.Processor > 0.0 && this->Now.ProcessorSeconds > this->Bounds.Processor)
     {
-      return "cpu";
+      return pemesh::ProcessorWord;
     }
     const bool isLate =
       this->Bounds.Time > 0.0 && Seconds(Clock::now() - this->Begin).count() > this->Bounds.Time;
-    return isLate ? "time" : nullptr;
+    return isLate ? pemesh::TimeWord : nullptr;
   }
 
   /** The group as well, because a process that forks meanwhile may be missed among the others. */
@@ -252,7 +259,7 @@ private:
   /** A launcher such as mpirun may clean up first; memory that grows cannot wait for that. */
   void End() const
   {
-    const bool isUrgent = this->Ending == std::string("memory");
+    const bool isUrgent = this->Ending == std::string_view(pemesh::MemoryWord);
     if (isUrgent || Clock::now() - this->Asked > GraceAfterTerminate)
     {
       this->Signal(SIGKILL);
@@ -287,8 +294,9 @@ private:
     getrusage(RUSAGE_CHILDREN, &reaped); // the peak of the largest process, exact
     this->Peak = std::max(this->Peak, 1024.0 * static_cast<double>(reaped.ru_maxrss));
     std::string how = this->Ending ? this->Ending + std::string(" 0")
-      : WIFSIGNALED(this->Status)  ? "signal " + std::to_string(WTERMSIG(this->Status))
-                                   : "exited " + std::to_string(WEXITSTATUS(this->Status));
+      : WIFSIGNALED(this->Status)
+      ? std::string(pemesh::SignalWord) + ' ' + std::to_string(WTERMSIG(this->Status))
+      : std::string(pemesh::ExitedWord) + ' ' + std::to_string(WEXITSTATUS(this->Status));
     constexpr int room = 128;
     char numbers[room];
     std::snprintf(

@@ -79,6 +79,9 @@ void AddFormulas(CLI::App& program, pemesh::ProblemFormulas& formulas)
   { program.add_option(name, formula, description)->group("Formulas of x and y"); };
   add("--solution", formulas.Solution, "The solution u, in place of the test problem");
   add("--diffusion", formulas.Diffusion, "kappa in -div(kappa grad u) + beta . grad u + c u = f");
+  add("--diffusion-xy", formulas.DiffusionXY,
+    "The entry xy of kappa where it is a tensor; --diffusion is xx then");
+  add("--diffusion-yy", formulas.DiffusionYY, "The entry yy; that of xx where it is not given");
   add("--advection-x", formulas.AdvectionX, "The first component of beta");
   add("--advection-y", formulas.AdvectionY, "The second component of beta");
   add("--reaction", formulas.Reaction, "c");

@@ -6,6 +6,7 @@
 #include "OutputLog.h"
 #include "ProcessPipe.h"
 #include "SolverCommand.h"
+#include "SupervisorProtocol.h"
 
 #include <algorithm>
 #include <array>
@@ -36,10 +37,6 @@ using Ending = ChildProcessResult::Ending;
 
 constexpr const char* Supervisor = "pemesh-supervise";
 constexpr Seconds ReportInterval{ 0.1 };
-
-// Where the supervisor expects them.
-constexpr int ControlDescriptor = 3;
-constexpr int ReportDescriptor = 4;
 
 /** The environment of this program with the changes for the child. */
 std::vector<std::string> MakeEnvironment(const ChildProcess& child)
@@ -217,7 +214,7 @@ public:
     this->Process = 0;
     this->Drain();
     pid_t program = 0;
-    if (this->Words.rfind("started ", 0) == 0 && this->LastWords().empty())
+    if (IsStart(this->Words) && this->LastWords().empty())
     {
       std::istringstream(this->Words.substr(this->Words.find(' '))) >> program;
     }
@@ -237,12 +234,17 @@ public:
     }
     const std::size_t before = end == 0 ? end : this->Words.rfind('\n', end - 1);
     const std::string line = this->Words.substr(before + 1, end - before - 1); // npos + 1 is 0
-    return line.rfind("started ", 0) == 0 ? std::string() : line;
+    return IsStart(line) ? std::string() : line;
   }
 
   std::string LastErrorLine() const { return this->Errors.LastLine(); }
 
 private:
+  static bool IsStart(const std::string& line)
+  {
+    return line.rfind(std::string(StartedWord) + ' ', 0) == 0;
+  }
+
   void Drain()
   {
     this->Output.Drain();
@@ -273,9 +275,10 @@ struct EndingWord
   const char* Word;
   Ending How;
 };
-constexpr std::array<EndingWord, 6> EndingWords{ { { "exited", Ending::Exited },
-  { "signal", Ending::Signal }, { "time", Ending::TimeLimit }, { "cpu", Ending::ProcessorLimit },
-  { "memory", Ending::MemoryLimit }, { "asked", Ending::Cancelled } } };
+constexpr std::array<EndingWord, 6> EndingWords{ { { ExitedWord, Ending::Exited },
+  { SignalWord, Ending::Signal }, { TimeWord, Ending::TimeLimit },
+  { ProcessorWord, Ending::ProcessorLimit }, { MemoryWord, Ending::MemoryLimit },
+  { AskedWord, Ending::Cancelled } } };
 
 ChildProcessResult ReadReport(const std::string& line)
 {
@@ -284,7 +287,7 @@ ChildProcessResult ReadReport(const std::string& line)
   int number = 0;
   ChildProcessResult result;
   stream >> word >> number >> result.ProcessorSeconds >> result.PeakMemory >> result.ProcessesLeft;
-  if (word == "not-started")
+  if (word == NotStartedWord)
   {
     return NotStarted(number);
   }

@@ -35,7 +35,7 @@ public:
    */
   double Take(const std::string& solver, double limit, const std::function<bool()>& goOn);
 
-  /** `peak` is what the solver took at most. */
+  /** `peak` is what the solver took at most; 0 where nobody knows, from which nothing is learnt. */
   void GiveBack(const std::string& solver, double taken, double peak);
 
 private:
@@ -44,8 +44,7 @@ private:
   const double Bytes;
   double Used = 0.0;
   std::map<std::string, double> Peaks;
-  std::list<int> Waiting; // by their numbers
-  int NextNumber = 0;
+  std::list<std::string> Waiting; // solvers, first come, first served
   std::mutex Mutex;
   std::condition_variable Changed;
 };

@@ -12,15 +12,6 @@
 namespace pemesh
 {
 
-void FileDescriptor::Reset(int number)
-{
-  if (this->Number >= 0)
-  {
-    close(this->Number);
-  }
-  this->Number = number;
-}
-
 ProcessPipe::ProcessPipe()
 {
   int ends[2] = { -1, -1 };

@@ -6,30 +6,12 @@
 #ifndef pemesh_ProcessPipe_h
 #define pemesh_ProcessPipe_h
 
+#include "FileDescriptor.h"
+
 #include <string>
 
 namespace pemesh
 {
-
-/** An open file, closed at the end of its life. */
-class FileDescriptor
-{
-public:
-  explicit FileDescriptor(int number = -1)
-    : Number(number)
-  {
-  }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  ~FileDescriptor() { this->Reset(); }
-
-  void Reset(int number = -1);
-  int Get() const { return this->Number; }
-  bool IsOpen() const { return this->Number >= 0; }
-
-private:
-  int Number;
-};
 
 /** Its ends are inherited by no child but the one that they are given to. */
 class ProcessPipe

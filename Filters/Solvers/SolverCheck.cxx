@@ -3,6 +3,7 @@
 #include "SolverCheck.h"
 
 #include "CaseStatus.h"
+#include "SolverCommand.h"
 #include "SolverRun.h"
 
 #include <algorithm>
@@ -69,10 +70,11 @@ void CheckCommand(const SolverDescription& description, std::vector<SolverFindin
     return std::any_of(description.Command.begin(), description.Command.end(),
       [=](const std::string& argument) { return argument.find(placeholder) != std::string::npos; });
   };
-  if (!names("{mesh}") && !names("{node}") && !names("{stem}"))
+  if (!names("{mesh}") && !names("{node}") && !names("{stem}") && !TakesList(description))
   {
     findings.push_back({ false,
-      "The command has neither {mesh} nor {stem}: the solver is not told what to solve on." });
+      "The command has neither {mesh} nor {stem} nor {list}: the solver is not told what to solve "
+      "on." });
   }
   if (description.Performances.empty())
   {

@@ -5,6 +5,7 @@
 #include "ChildProcess.h"
 #include "ContentDigest.h"
 #include "SolverDescription.h"
+#include "SolverFolder.h"
 #include "TextFile.h"
 
 #include <algorithm>
@@ -139,6 +140,12 @@ std::filesystem::path FindSolverProgram(
   return {};
 }
 
+bool TakesList(const SolverDescription& description)
+{
+  return std::any_of(description.Command.begin(), description.Command.end(),
+    [](const std::string& argument) { return argument.find("{list}") != std::string::npos; });
+}
+
 std::string SolverDescriptionFolder(const SolverDescription& description)
 {
   const std::filesystem::path& folder = description.Folder;
@@ -190,35 +197,30 @@ std::string AskSolverVersion(const SolverDescription& description)
   {
     return {};
   }
-  std::string folder = (std::filesystem::temp_directory_path() / "pemesh-XXXXXX").string();
-  if (!mkdtemp(folder.data()))
-  {
-    return {};
-  }
-  std::string version;
   try
   {
+    const SolverFolder folder({}, "version"); // of its own, gone at the end
     ChildProcess child;
     child.Arguments = ExpandCommand(
       description.VersionCommand, { { "folder", SolverDescriptionFolder(description) } });
     child.Arguments[0] = FindSolverProgram(child.Arguments[0], description.Folder);
-    child.WorkingDirectory = folder;
-    child.OutputFile = std::filesystem::path(folder) / "version";
+    child.WorkingDirectory = folder.GetPath();
+    child.OutputFile = folder.GetPath() / "stdout.log";
     child.OutputLimit = 4096;
     child.TimeLimit = 10.0;
-    if (RunChildProcess(child).How == ChildProcessResult::Ending::Exited)
+    const ChildProcessResult result = RunChildProcess(child);
+    if (result.How == ChildProcessResult::Ending::Exited && result.ExitStatus == 0)
     {
-      version = ReadTextFile(child.OutputFile);
+      std::string version = ReadTextFile(child.OutputFile);
       version.resize(std::min(version.find_first_of("\r\n"), version.size()));
+      return version;
     }
   }
   catch (const std::runtime_error&)
   {
-    version.clear(); // a version that cannot be asked for is not known
+    // A version that cannot be asked for is not known.
   }
-  std::error_code ignored;
-  std::filesystem::remove_all(folder, ignored);
-  return version;
+  return {};
 }
 
 } // namespace pemesh

@@ -48,6 +48,9 @@ PEMESHFILTERSSOLVERS_EXPORT std::string SolverDescriptionFolder(
  */
 PEMESHFILTERSSOLVERS_EXPORT std::string SolverFingerprint(const SolverDescription& description);
 
+/** Whether its command names {list}. */
+PEMESHFILTERSSOLVERS_EXPORT bool TakesList(const SolverDescription& description);
+
 } // namespace pemesh
 
 #endif

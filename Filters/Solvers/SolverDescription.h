@@ -58,14 +58,19 @@ struct SolverDescription
    * and {ele} the two files of the format node, {output} the output folder, {stem} the name that
    * the files written must begin with, {threads}, {folder} that of the description, and every
    * option by its name ({order}, {problem}, …). "{{" and "}}" are braces.
+   *
+   * A solver that takes a list has {list} in place of {mesh}, {node}, {ele}, {output} and {stem}: a
+   * file with the name of one mesh file a line, relative to its current folder. For the mesh
+   * D/M.off it leaves its files in D: D/M-solution.txt and so on.
    */
   std::vector<std::string> Command;
+  int MeshesPerCall = 1;          // at the most, of a solver that takes a list
   std::string MeshFormat = "off"; // a name of pemesh::MeshFormats()
   std::vector<SolverOption> Options;
   std::vector<SolverPerformance> Performances;
   std::vector<SolverElementArray> Elements;
   ///@{
-  /** For one mesh; 0 = none. */
+  /** For one mesh; 0 = none. A list has the times of all its meshes. */
   double TimeLimit = 0.0;      // seconds
   double ProcessorLimit = 0.0; // seconds of processors, of all its processes
   double MemoryLimit = 0.0;    // MiB resident, of all its processes together

@@ -6,15 +6,16 @@
 #include "ChildProcess.h"
 #include "ContentDigest.h"
 #include "ElementAccess.h"
-#include "MemoryBudget.h"
 #include "MeshFormats.h"
 #include "NumberText.h"
+#include "SolverCall.h"
 #include "SolverCommand.h"
 #include "SolverFolder.h"
 #include "TextFile.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -27,45 +28,6 @@ namespace pemesh
 namespace
 {
 
-const MeshFormat& NeedFormat(const std::string& name)
-{
-  const MeshFormat* format = FindMeshFormat(name);
-  if (!format)
-  {
-    std::vector<std::string> names;
-    for (const MeshFormat& known : MeshFormats())
-    {
-      names.emplace_back(known.Name);
-    }
-    throw std::runtime_error("The solver's mesh format \"" + name +
-      "\" is unknown; did you mean \"" + NearestWord(name, names) + "\"?");
-  }
-  if (!format->KeepsVertices)
-  {
-    throw std::runtime_error("The solver's mesh format \"" + name +
-      "\" does not keep the order of the vertices, by which the solution is read; use another "
-      "one, such as off.");
-  }
-  return *format;
-}
-
-/** The values of all placeholders, for a mesh file that may be only imagined. */
-std::map<std::string, std::string> PlaceholderValues(
-  const SolverRun& run, const MeshFormat& format, const std::filesystem::path& mesh)
-{
-  std::map<std::string, std::string> values{ { "mesh", mesh.string() },
-    { "output", mesh.parent_path().string() }, { "stem", mesh.stem().string() },
-    { "threads", std::to_string(run.Threads) },
-    { "folder", SolverDescriptionFolder(run.Description) } };
-  if (format.Extensions.size() > 1) // a pair of files
-  {
-    values["node"] = std::filesystem::path(mesh).replace_extension(".node").string();
-    values["ele"] = std::filesystem::path(mesh).replace_extension(".ele").string();
-  }
-  values.insert(run.Options.begin(), run.Options.end());
-  return values;
-}
-
 /** A file name made of the mesh's name, whatever that holds. */
 std::string MakeStem(vtkPolyData* mesh)
 {
@@ -77,22 +39,6 @@ std::string MakeStem(vtkPolyData* mesh)
   constexpr std::size_t longest = 200; // file systems end at 255 with what the solver appends
   stem.resize(std::min(stem.size(), longest));
   return stem.find_first_not_of('.') == std::string::npos ? "mesh" : stem;
-}
-
-/** The command as a line for a shell, so that a user can repeat a run by hand. */
-std::string ShellLine(const std::vector<std::string>& arguments)
-{
-  std::string line;
-  for (const std::string& argument : arguments)
-  {
-    line += line.empty() ? "'" : " '";
-    for (const char c : argument)
-    {
-      line += c == '\'' ? std::string("'\\''") : std::string(1, c);
-    }
-    line += '\'';
-  }
-  return line + '\n';
 }
 
 std::string EndSentence(std::string text)
@@ -109,56 +55,56 @@ SolverOutcome Failure(const std::string& status, const std::string& message)
   return { status, EndSentence(message), "", {} };
 }
 
-/** What a run is called in messages. */
-std::string NameOf(const SolverRun& run)
+/** An ending that is told by a sentence of its own. */
+struct EndingRule
 {
-  const std::string& name = run.Description.Name;
-  return name.empty() ? std::filesystem::path(run.Description.Command[0]).filename().string()
-                      : name;
+  ChildProcessResult::Ending How;
+  const char* Status;
+  std::string (*Words)(const SolverDescription& description, const ChildProcessResult& result);
+};
+
+std::string DiskWords(const SolverDescription& description, const ChildProcessResult&)
+{
+  return " wrote more than the " + FormatNumber(description.DiskLimit) +
+    " MiB of its disk limit and was stopped";
 }
 
-/** An ending by force, or by a limit: its status, and what follows the name of the solver. */
-SolverOutcome JudgeForce(const SolverRun& run, const ChildProcessResult& result)
-{
-  const SolverDescription& description = run.Description;
-  const std::string disk = " wrote more than the " + FormatNumber(description.DiskLimit) +
-    " MiB of its disk limit and was stopped";
-  using Ending = ChildProcessResult::Ending;
-  switch (result.How)
-  {
-    case Ending::Signal:
-      return result.IsFileTooLarge
-        ? SolverOutcome{ "disk-limit", disk, "", {} }
-        : SolverOutcome{ "crashed", " was ended by the signal " + result.Reason, "", {} };
-    case Ending::TimeLimit:
-      return { "time-out",
-        " did not end within the time limit of " + FormatNumber(description.TimeLimit) +
-          " s and was stopped",
-        "", {} };
-    case Ending::ProcessorLimit:
-      return { "cpu-limit",
-        " took more than the " + FormatNumber(description.ProcessorLimit) +
-          " s of processor time that it may and was stopped",
-        "", {} };
-    case Ending::MemoryLimit:
-      return { "memory-limit",
-        " took more than the " + FormatNumber(description.MemoryLimit) +
-          " MiB of memory that it may and was stopped",
-        "", {} };
-    case Ending::Cancelled: // not by the user, or nobody would judge
-      return { "disk-limit", disk, "", {} };
-    default:
-      return { "exit-status", " ended with exit status " + std::to_string(result.ExitStatus), "",
-        {} };
-  }
-}
+using Ending = ChildProcessResult::Ending;
+
+const EndingRule EndingRules[] = {
+  { Ending::Exited, "exit-status",
+    [](const SolverDescription&, const ChildProcessResult& result)
+    { return " ended with exit status " + std::to_string(result.ExitStatus); } },
+  { Ending::Signal, "crashed",
+    [](const SolverDescription&, const ChildProcessResult& result)
+    { return " was ended by the signal " + result.Reason; } },
+  { Ending::TimeLimit, "time-out",
+    [](const SolverDescription& description, const ChildProcessResult&)
+    {
+      return " did not end within the time limit of " + FormatNumber(description.TimeLimit) +
+        " s and was stopped";
+    } },
+  { Ending::ProcessorLimit, "cpu-limit",
+    [](const SolverDescription& description, const ChildProcessResult&)
+    {
+      return " took more than the " + FormatNumber(description.ProcessorLimit) +
+        " s of processor time that it may and was stopped";
+    } },
+  { Ending::MemoryLimit, "memory-limit",
+    [](const SolverDescription& description, const ChildProcessResult&)
+    {
+      return " took more than the " + FormatNumber(description.MemoryLimit) +
+        " MiB of memory that it may and was stopped";
+    } },
+  // Not by the user, or nobody would judge.
+  { Ending::Cancelled, "disk-limit", DiskWords },
+};
 
 /** The outcome of a program that did not end well; "ok" if it did. */
 SolverOutcome JudgeEnding(
   const SolverRun& run, const ChildProcessResult& result, bool isFolderTooLarge)
 {
-  const std::string name = NameOf(run);
-  using Ending = ChildProcessResult::Ending;
+  const std::string name = NameOfSolver(run);
   if (result.How == Ending::Exited && result.ExitStatus == 0)
   {
     return { "ok", "", "", {} };
@@ -171,73 +117,13 @@ SolverOutcome JudgeEnding(
   {
     return Failure("cancelled", "The run of " + name + " was cancelled");
   }
-  const SolverOutcome force = JudgeForce(run, result);
-  return Failure(force.Status,
-    name + force.Message +
+  const Ending how = result.IsFileTooLarge ? Ending::Cancelled : result.How; // of the disk limit
+  const EndingRule& rule = *std::find_if(std::begin(EndingRules), std::end(EndingRules),
+    [how](const EndingRule& candidate) { return candidate.How == how; });
+  return Failure(rule.Status,
+    name + rule.Words(run.Description, result) +
       (result.LastErrorLine.empty() ? "; it wrote nothing to its standard error"
                                     : "; it last wrote: " + result.LastErrorLine));
-}
-
-constexpr double MebiByte = 1024.0 * 1024.0;
-
-ChildProcess PrepareChild(
-  const SolverRun& run, const std::filesystem::path& folder, const std::filesystem::path& mesh)
-{
-  const SolverDescription& description = run.Description;
-  ChildProcess child;
-  child.Arguments = ExpandCommand(
-    description.Command, PlaceholderValues(run, NeedFormat(description.MeshFormat), mesh));
-  child.WorkingDirectory = folder;
-  child.OutputFile = folder / "stdout.log";
-  child.ErrorFile = folder / "stderr.log";
-  child.TimeLimit = description.TimeLimit;
-  child.ProcessorLimit = description.ProcessorLimit;
-  child.MemoryLimit = MebiByte * description.MemoryLimit;
-  child.FileLimit = MebiByte * description.DiskLimit;
-  for (const char* variable : { "OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS" })
-  {
-    child.Environment.emplace_back(variable, std::to_string(run.Threads));
-  }
-  return child;
-}
-
-/** Runs the child and looks at its folder from time to time. */
-ChildProcessResult RunWatched(
-  const SolverRun& run, ChildProcess& child, const SolverFolder& folder, bool& isFolderTooLarge)
-{
-  constexpr double secondsBetweenLooks = 0.5;
-  double nextLook = secondsBetweenLooks;
-  child.GoOn = [&](double seconds)
-  {
-    if (seconds >= nextLook && child.FileLimit > 0.0)
-    {
-      nextLook = seconds + secondsBetweenLooks;
-      isFolderTooLarge = static_cast<double>(folder.GetSize()) > child.FileLimit;
-    }
-    return !isFolderTooLarge && (!run.GoOn || run.GoOn(seconds));
-  };
-  return RunChildProcess(child);
-}
-
-/** The same, once there is room for it in the memory. */
-ChildProcessResult RunWithinBudget(
-  const SolverRun& run, ChildProcess& child, const SolverFolder& folder, bool& isFolderTooLarge)
-{
-  if (!run.Budget)
-  {
-    return RunWatched(run, child, folder, isFolderTooLarge);
-  }
-  const std::string name = NameOf(run);
-  const double taken =
-    run.Budget->Take(name, child.MemoryLimit, [&] { return !run.GoOn || run.GoOn(0.0); });
-  ChildProcessResult result;
-  result.How = ChildProcessResult::Ending::Cancelled;
-  if (taken >= 0.0)
-  {
-    result = RunWatched(run, child, folder, isFolderTooLarge);
-    run.Budget->GiveBack(name, taken, result.PeakMemory);
-  }
-  return result;
 }
 
 /** What may explain that files are missing: others, and processes that were to write them. */
@@ -333,28 +219,21 @@ bool IsSolved(const std::filesystem::path& file, const std::string& question,
 }
 
 /** One attempt in a folder where the mesh file lies. */
-SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverFolder& folder,
-  const std::filesystem::path& meshFile)
+SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverRequest& request, bool isAlone)
 {
-  const std::string stem = meshFile.stem().string();
-  ChildProcess child = PrepareChild(run, folder.GetPath(), meshFile);
-  const std::string program = child.Arguments[0];
-  child.Arguments[0] = FindSolverProgram(program, run.Description.Folder).string();
-  if (child.Arguments[0].empty())
-  {
-    return Failure("not-found",
-      "The program \"" + program +
-        "\" is not there; give its path in the command of the solver, or put it beside pemesh or "
-        "into a folder of PATH");
-  }
-  WriteTextFile(folder.GetPath() / "command.txt", ShellLine(child.Arguments));
+  SolverFolder& folder = request.Folder;
+  const std::string stem = request.MeshFile.stem().string();
   std::vector<std::filesystem::path> expected =
     SolverAnswerFiles(run.Description, folder.GetPath(), stem);
-  expected.insert(expected.end(), { child.OutputFile, child.ErrorFile });
+  const std::vector<std::filesystem::path> ours = SolverCallFiles(folder);
+  expected.insert(expected.end(), ours.begin(), ours.end());
   folder.NoteNames();
-  bool isFolderTooLarge = false;
-  const ChildProcessResult result = RunWithinBudget(run, child, folder, isFolderTooLarge);
-  const SolverOutcome outcome = JudgeEnding(run, result, isFolderTooLarge);
+  CallSolver(request, isAlone);
+  if (!request.Error.empty())
+  {
+    return Failure(request.IsMissing ? "not-found" : "not-written", request.Error);
+  }
+  const SolverOutcome outcome = JudgeEnding(run, request.Result, request.IsFolderTooLarge);
   if (outcome.Status != "ok")
   {
     return outcome;
@@ -362,7 +241,7 @@ SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverFolder& fol
   return JudgeAnswer(run,
     ReadSolverAnswer(
       run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints(), mesh->GetNumberOfPolys()),
-    Explanation(folder, expected, result));
+    Explanation(folder, expected, request.Result));
 }
 
 /** Whether another attempt may end otherwise. */
@@ -374,7 +253,7 @@ bool MayGoWell(const std::string& status)
 SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
 {
   const std::string stem = MakeStem(mesh);
-  const MeshFormat& format = NeedFormat(run.Description.MeshFormat);
+  const MeshFormat& format = SolverMeshFormat(run.Description.MeshFormat);
   SolverFolder folder(run.WorkDirectory, stem);
   const std::filesystem::path meshFile = folder.GetPath() / (stem + format.Extensions[0]);
   const std::filesystem::path solved = folder.GetPath() / SolvedFile;
@@ -389,19 +268,24 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
         mesh->GetNumberOfPolys()) };
   }
   SolverOutcome outcome;
-  for (int attempt = 0; attempt <= run.Retries; ++attempt)
+  SolverRequest request{ run, folder, meshFile, {}, false, false, {}, false };
+  bool isAlone = false;
+  for (int attempt = 0; attempt <= run.Retries;)
   {
     folder.Remove({ solved });
     folder.Remove(answers);
-    if (attempt > 0)
+    if (isAlone)
     {
       format.Write(meshFile, mesh); // the solver may have changed it
     }
-    outcome = RunOnce(run, mesh, folder, meshFile);
+    outcome = RunOnce(run, mesh, request, isAlone);
     if (!MayGoWell(outcome.Status))
     {
       break;
     }
+    // Where several meshes went wrong together, one of them may be to blame: that was no attempt.
+    attempt += request.IsShared ? 0 : 1;
+    isAlone = true;
   }
   if (outcome.Status == "ok" && !run.WorkDirectory.empty())
   {
@@ -423,7 +307,7 @@ void CheckSolverRun(const SolverRun& run)
   {
     throw std::runtime_error("The solver has no command: set the argument list, program first.");
   }
-  const MeshFormat& format = NeedFormat(description.MeshFormat);
+  const MeshFormat& format = SolverMeshFormat(description.MeshFormat);
   std::set<std::string> names{ "solution", "ground-truth" };
   for (const SolverPerformance& performance : description.Performances)
   {
@@ -435,7 +319,7 @@ void CheckSolverRun(const SolverRun& run)
     }
   }
   ExpandCommand(description.Command,
-    PlaceholderValues(run, format, std::string("/mesh") + format.Extensions[0]));
+    SolverPlaceholders(run, format, std::string("/mesh") + format.Extensions[0]));
 }
 
 SolverOutcome RunSolver(const SolverRun& run, vtkPolyData* mesh)

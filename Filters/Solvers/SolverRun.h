@@ -20,6 +20,7 @@ namespace pemesh
 {
 
 class MemoryBudget;
+class SolverQueue;
 
 struct SolverRun
 {
@@ -29,6 +30,7 @@ struct SolverRun
   int Threads = 1;
   int Retries = 0;
   MemoryBudget* Budget = nullptr;           // shared with others that run
+  SolverQueue* Queue = nullptr;             // the same; it makes the lists of meshes
   bool ReusesAnswer = false;                // of an earlier run that was asked the same
   std::string Version;                      // of the solver: part of the question
   std::function<bool(double seconds)> GoOn; // false cancels

@@ -106,6 +106,7 @@ void vtkPEMExternalSolver::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Retries: " << this->Retries << "\n";
   os << indent << "ReuseAnswers: " << this->ReuseAnswers << "\n";
   os << indent << "MemoryBudget: " << (this->Budget ? "shared" : "none") << "\n";
+  os << indent << "Queue: " << (this->Queue ? "shared" : "none") << "\n";
   os << indent << "Version: " << this->Version << "\n";
 }
 
@@ -316,6 +317,7 @@ int vtkPEMExternalSolver::RequestData(
   run.Threads = this->Threads;
   run.Retries = this->Retries;
   run.Budget = this->Budget;
+  run.Queue = this->Queue;
   run.ReusesAnswer = this->ReuseAnswers;
   run.Version = this->Version;
   try

@@ -46,6 +46,7 @@
 namespace pemesh
 {
 class MemoryBudget;
+class SolverQueue;
 struct SolverDescription;
 struct SolverOutcome;
 }
@@ -74,6 +75,15 @@ public:
   void SetMemoryBudget(pemesh::MemoryBudget* budget)
   {
     this->Budget = budget;
+  }
+
+  /**
+   * Where a solver that takes a list of meshes meets those of other filters, each run by a worker
+   * of the queue in a thread of its own. It must outlive the filter. Default none: lists of one.
+   */
+  void SetQueue(pemesh::SolverQueue* queue)
+  {
+    this->Queue = queue;
   }
 #endif
 
@@ -190,6 +200,7 @@ private:
   int Threads = 1;
   int Retries = 0;
   pemesh::MemoryBudget* Budget = nullptr;
+  pemesh::SolverQueue* Queue = nullptr;
   bool ReuseAnswers = false;
 };
 

@@ -26,48 +26,12 @@ namespace pemesh
 namespace
 {
 
-/** Each kind can hold all values of those before it. */
-enum class Kind
-{
-  Integer,
-  Number,
-  Text
-};
-
+using Kind = ColumnKind;
 using Column = vtkSmartPointer<vtkAbstractArray>;
-
-Kind KindOf(vtkAbstractArray* array)
-{
-  auto* numbers = vtkDataArray::SafeDownCast(array);
-  if (!numbers)
-  {
-    return Kind::Text;
-  }
-  const int type = numbers->GetDataType();
-  return type == VTK_DOUBLE || type == VTK_FLOAT ? Kind::Number : Kind::Integer;
-}
-
-Column NewColumn(Kind kind, const std::string& name)
-{
-  Column column;
-  switch (kind)
-  {
-    case Kind::Integer:
-      column = vtkSmartPointer<vtkIdTypeArray>::New();
-      break;
-    case Kind::Number:
-      column = vtkSmartPointer<vtkDoubleArray>::New();
-      break;
-    default:
-      column = vtkSmartPointer<vtkStringArray>::New();
-  }
-  column->SetName(name.c_str());
-  return column;
-}
 
 std::string TextOf(vtkAbstractArray* source, vtkIdType row)
 {
-  if (KindOf(source) != Kind::Number)
+  if (KindOfColumn(source) != Kind::Number)
   {
     return source->GetVariantValue(row).ToString();
   }
@@ -160,8 +124,8 @@ std::vector<Column> UnitedColumns(const std::vector<Column>& old, vtkIdType oldR
     const std::size_t position = FindColumn(united, name, next);
     if (position < united.size())
     {
-      const Kind kind = std::max(KindOf(united[position]), KindOf(source));
-      if (kind != KindOf(united[position]))
+      const Kind kind = std::max(KindOfColumn(united[position]), KindOfColumn(source));
+      if (kind != KindOfColumn(united[position]))
       {
         united[position] = Promote(united[position], kind);
       }
@@ -169,7 +133,7 @@ std::vector<Column> UnitedColumns(const std::vector<Column>& old, vtkIdType oldR
       next = position + 1;
       continue;
     }
-    Kind kind = KindOf(source);
+    Kind kind = KindOfColumn(source);
     kind = kind == Kind::Integer && oldRows > 0 ? Kind::Number : kind;
     Column column = NewColumn(kind, name);
     for (vtkIdType row = 0; row < oldRows; ++row)
@@ -182,7 +146,7 @@ std::vector<Column> UnitedColumns(const std::vector<Column>& old, vtkIdType oldR
   }
   for (std::size_t i = 0; i < united.size(); ++i)
   {
-    if (!isFilled[i] && rows->GetNumberOfRows() > 0 && KindOf(united[i]) == Kind::Integer)
+    if (!isFilled[i] && rows->GetNumberOfRows() > 0 && KindOfColumn(united[i]) == Kind::Integer)
     {
       united[i] = Promote(united[i], Kind::Number);
     }
@@ -203,6 +167,36 @@ void UniteLists(vtkTable* table, vtkTable* rows)
 }
 
 } // namespace
+
+ColumnKind KindOfColumn(vtkAbstractArray* column)
+{
+  auto* numbers = vtkDataArray::SafeDownCast(column);
+  if (!numbers)
+  {
+    return Kind::Text;
+  }
+  const int type = numbers->GetDataType();
+  return type == VTK_DOUBLE || type == VTK_FLOAT ? Kind::Number : Kind::Integer;
+}
+
+Column NewColumn(ColumnKind kind, const std::string& name)
+{
+  Column column;
+  switch (kind)
+  {
+    case Kind::Integer:
+      column = vtkSmartPointer<vtkIdTypeArray>::New();
+      break;
+    case Kind::Number:
+      column = vtkSmartPointer<vtkDoubleArray>::New();
+      break;
+    case Kind::Text:
+      column = vtkSmartPointer<vtkStringArray>::New();
+      break;
+  }
+  column->SetName(name.c_str());
+  return column;
+}
 
 void AppendTableRows(vtkTable* table, vtkTable* rows)
 {

@@ -8,10 +8,29 @@
 
 #include "pemeshFiltersStatisticsModule.h" // For export macro
 
+#include <vtkSmartPointer.h> // For the columns
+
+#include <string>
+
+class vtkAbstractArray;
 class vtkTable;
 
 namespace pemesh
 {
+
+/** What the columns of a table hold. Each kind can hold all values of those before it. */
+enum class ColumnKind
+{
+  Integer,
+  Number,
+  Text
+};
+
+PEMESHFILTERSSTATISTICS_EXPORT ColumnKind KindOfColumn(vtkAbstractArray* column);
+
+/** Empty; vtkIdTypeArray, vtkDoubleArray or vtkStringArray. */
+PEMESHFILTERSSTATISTICS_EXPORT vtkSmartPointer<vtkAbstractArray> NewColumn(
+  ColumnKind kind, const std::string& name);
 
 /**
  * Appends the rows of `rows` to `table` (which may be empty, without columns). The columns are the

@@ -16,7 +16,10 @@ namespace pemesh
 namespace
 {
 
-constexpr int BlockColumns = 8;
+// More columns find larger sums, which costs next to nothing where the matrix is small.
+constexpr std::size_t ManyRows = 20000;
+constexpr std::size_t BlockColumnsOfFewRows = 8;
+constexpr std::size_t BlockColumnsOfManyRows = 2;
 constexpr int BlockSteps = 5;
 constexpr int SolveColumns = 64; // right-hand sides at a time for the exact norm
 
@@ -90,13 +93,13 @@ public:
   }
 
   // Replaces columns that tell nothing new. A few tries only: tiny blocks have few sign vectors.
-  void MakeColumnsDiffer(const SignBlock& previous, std::mt19937_64& random)
+  void MakeColumnsDiffer(const SignBlock& previous, bool fromPrevious, std::mt19937_64& random)
   {
     for (std::size_t column = 0; column < this->Columns; ++column)
     {
       for (int attempt = 0; attempt < 10 &&
            (this->IsParallelToAny(column, *this, column) ||
-             this->IsParallelToAny(column, previous, this->Columns));
+             (fromPrevious && this->IsParallelToAny(column, previous, this->Columns)));
            ++attempt)
       {
         this->RandomizeColumn(column, random);
@@ -200,7 +203,8 @@ double ExactInverseNorm(const Factorization& factor)
 double EstimateInverseNorm(const Factorization& factor)
 {
   const std::size_t rows = static_cast<std::size_t>(factor.Size());
-  const std::size_t columns = std::min<std::size_t>(BlockColumns, rows);
+  const std::size_t columns =
+    std::min(rows, rows < ManyRows ? BlockColumnsOfFewRows : BlockColumnsOfManyRows);
   std::mt19937_64 random(20000101u);
   SignBlock signs(rows, columns);
   for (std::size_t column = 1; column < columns; ++column)
@@ -230,7 +234,8 @@ double EstimateInverseNorm(const Factorization& factor)
     {
       break;
     }
-    signs.MakeColumnsDiffer(previous, random);
+    // The start has told nothing of its signs yet, least of all that all of them should be one.
+    signs.MakeColumnsDiffer(previous, step > 0, random);
     const std::vector<double> dual =
       factor.SolveTransposed(signs.GetValues(), static_cast<int>(columns));
     const std::vector<std::size_t> order = RankRows(dual, rows, columns, height);

@@ -36,9 +36,9 @@ PEMESHFILTERSVIRTUALELEMENTS_EXPORT double ExactInverseNorm(const Factorization&
 
 /**
  * A lower bound of ||A^-1||_1 by the block 1-norm power method of N. J. Higham, F. Tisseur, SIAM
- * J. Matrix Anal. Appl. 21 (2000) 1185-1201, algorithm 2.4 with eight columns and at most five
- * steps (the method of W. W. Hager, SIAM J. Sci. Stat. Comput. 5 (1984) 311-316, with several
- * starts at once). The start is always the same, so the answer is too.
+ * J. Matrix Anal. Appl. 21 (2000) 1185-1201, algorithm 2.4 with eight columns, two from 20,000
+ * unknowns on, and at most five steps (the method of W. W. Hager, SIAM J. Sci. Stat. Comput. 5
+ * (1984) 311-316, with several starts at once). The start is always the same, so the answer is too.
  */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT double EstimateInverseNorm(const Factorization& factor);
 

@@ -60,7 +60,8 @@ private:
 } // namespace
 
 ConjugateGradients RunConjugateGradients(const SparseMatrix& matrix,
-  std::span<const double> rightHandSide, CgPreconditioner kind, double tolerance, int limit)
+  std::span<const double> rightHandSide, CgPreconditioner kind, double tolerance, int limit,
+  const std::function<void()>& check)
 {
   const auto size = static_cast<Eigen::Index>(rightHandSide.size());
   const Preconditioner preconditioner(matrix, kind);
@@ -77,8 +78,13 @@ ConjugateGradients RunConjugateGradients(const SparseMatrix& matrix,
   direction = preconditioned;
   double old = residual.dot(preconditioned);
   result.Converged = residual.norm() <= goal;
+  double carried = 0.0; // from the step before into the diagonal of Lanczos' matrix
   while (!result.Converged && result.Iterations < limit)
   {
+    if (check)
+    {
+      check();
+    }
     Multiply(matrix, { direction.data(), rightHandSide.size() }, image);
     const double curvature = direction.dot(product);
     if (!(curvature > 0.0) || !std::isfinite(curvature))
@@ -92,6 +98,9 @@ ConjugateGradients RunConjugateGradients(const SparseMatrix& matrix,
     result.Converged = residual.norm() <= goal;
     preconditioner.Apply(residual, preconditioned);
     const double next = residual.dot(preconditioned);
+    result.Diagonal.push_back(1.0 / step + carried);
+    result.SubDiagonal.push_back(std::sqrt(next / old) / step);
+    carried = next / old / step;
     direction = preconditioned + next / old * direction;
     old = next;
   }

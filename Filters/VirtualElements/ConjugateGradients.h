@@ -9,6 +9,7 @@
 
 #include "SparseMatrix.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,12 +29,20 @@ struct ConjugateGradients
   std::vector<double> Solution;
   int Iterations = 0;
   bool Converged = false;
+  /** The diagonal of Lanczos' tridiagonal matrix and what stands beside it, without preconditioner.
+   */
+  std::vector<double> Diagonal;
+  std::vector<double> SubDiagonal;
 };
 
-/** Ends at a residual of `tolerance` times the right-hand side, in the 2-norm, or at the limit. */
+/**
+ * Ends at a residual of `tolerance` times the right-hand side, in the 2-norm, or at the limit.
+ * `check`, if there is one, is called in every iteration and may throw.
+ */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT ConjugateGradients RunConjugateGradients(
   const SparseMatrix& matrix, std::span<const double> rightHandSide,
-  CgPreconditioner preconditioner, double tolerance, int limit);
+  CgPreconditioner preconditioner, double tolerance, int limit,
+  const std::function<void()>& check = {});
 
 } // namespace pemesh
 

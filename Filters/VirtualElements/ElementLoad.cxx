@@ -10,15 +10,27 @@ namespace pemesh
 namespace
 {
 
-constexpr double LoadTolerance = 1.0e-10;
+// Of errors as they follow from differences (Quadrature.h), which is no proof: far below the 1e-10
+// that is promised.
+constexpr double LoadTolerance = 1.0e-13;
 constexpr int ExtraFluxPoints = 8; // fluxes are no polynomials
 
 // Relative to the integral of |f|, which also bounds the moments (the monomials are at most about
 // one), and no closer than rounding allows; the last component is the bound of rounding.
-bool LoadsAgree(const TriangleIntegrals& coarse, const TriangleIntegrals& fine, double)
+bool LoadsAgree(
+  const TriangleIntegrals& coarse, const TriangleIntegrals& fine, double, std::size_t step)
 {
+  static const auto differences = DifferencesAllowed(LoadTolerance);
+  // That f is smooth on the scale of the triangle must show twice, because once may be chance.
+  constexpr double smooth = 1.0e-3;
   const std::size_t moments = fine.Value.size() - 1;
-  const double allowed = LoadTolerance * fine.Absolute[0] + fine.Absolute[moments];
+  const double rounding = fine.Absolute[moments];
+  if (step == 0 &&
+    !(std::abs(coarse.FirstDegree[0] - fine.Value[0]) <= smooth * fine.Absolute[0] + rounding))
+  {
+    return false;
+  }
+  const double allowed = differences[step] * fine.Absolute[0] + rounding;
   for (std::size_t k = 0; k < moments; ++k)
   {
     if (!(std::abs(coarse.Value[k] - fine.Value[k]) <= allowed))

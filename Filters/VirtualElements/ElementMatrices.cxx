@@ -69,14 +69,7 @@ void ElementMatrices::Set(PolygonView vertices)
     this->ElementDiameter = PolygonDiameter(vertices);
     this->ElementCentroid = Centroid(vertices);
   }
-  if (this->ClosedForm)
-  {
-    this->SetLowestOrder();
-  }
-  else
-  {
-    this->SetGeneral();
-  }
+  this->ClosedForm ? this->SetLowestOrder() : this->SetGeneral();
 }
 
 void ElementMatrices::SetLowestOrder()
@@ -159,7 +152,8 @@ void ElementMatrices::IntegrateCoefficients()
   const Index size = this->Polynomials.Size();
   const int degree = this->Polynomials.Degree();
   for (Eigen::MatrixXd* matrix :
-    { &this->DiffusionMass, &this->ReactionMass, &this->AdvectionMassX, &this->AdvectionMassY })
+    { &this->DiffusionMass, &this->DiffusionMassXY, &this->DiffusionMassYY, &this->ReactionMass,
+      &this->AdvectionMassX, &this->AdvectionMassY })
   {
     matrix->setZero(size, size);
   }
@@ -175,9 +169,19 @@ void ElementMatrices::IntegrateCoefficients()
     {
       this->Problem.EvaluateCoefficients(points, values);
       this->Polynomials.Evaluate(points, degree, this->Work);
-      const Weights8 diffusion = Times(weights, values.Diffusion);
-      this->MeanDiffusion += diffusion.sum() / this->ElementArea;
+      const Weights8 diffusion = Times(weights, values.DiffusionXX);
       add(this->DiffusionMass, diffusion);
+      if (this->Problem.HasTensorDiffusion())
+      {
+        const Weights8 diffusionYY = Times(weights, values.DiffusionYY);
+        add(this->DiffusionMassXY, Times(weights, values.DiffusionXY));
+        add(this->DiffusionMassYY, diffusionYY);
+        this->MeanDiffusion += 0.5 * (diffusion.sum() + diffusionYY.sum()) / this->ElementArea;
+      }
+      else
+      {
+        this->MeanDiffusion += diffusion.sum() / this->ElementArea;
+      }
       if (this->Problem.HasReaction())
       {
         add(this->ReactionMass, Times(weights, values.Reaction));
@@ -363,7 +367,15 @@ void ElementMatrices::AddDiffusion()
     const Index size = PolynomialCount(this->GradientDegree);
     const auto mass = this->DiffusionMass.topLeftCorner(size, size);
     this->Stiffness.noalias() = this->ProjectedX.transpose() * mass * this->ProjectedX;
-    this->Stiffness.noalias() += this->ProjectedY.transpose() * mass * this->ProjectedY;
+    const bool isTensor = this->Problem.HasTensorDiffusion();
+    const auto massYY =
+      (isTensor ? this->DiffusionMassYY : this->DiffusionMass).topLeftCorner(size, size);
+    this->Stiffness.noalias() += this->ProjectedY.transpose() * massYY * this->ProjectedY;
+    if (isTensor) // twice one product of the two, of which the symmetric part is taken below
+    {
+      this->Stiffness.noalias() += 2.0 * this->ProjectedX.transpose() *
+        this->DiffusionMassXY.topLeftCorner(size, size) * this->ProjectedY;
+    }
   }
   this->Stiffness = (0.5 * (this->Stiffness + this->Stiffness.transpose())).eval();
 }
@@ -427,11 +439,30 @@ void ElementMatrices::SetLoad()
   }
 }
 
+// The integral of the product of two linear functions over a triangle is its area over 12 times
+// (the product of the sums of their values at the corners + the sum of the products).
+void ElementMatrices::IntegrateLinear()
+{
+  this->H.setZero(3, 3);
+  for (const Triangle2& triangle : this->Parts)
+  {
+    Eigen::Matrix3d values; // a function a column, a corner a row
+    for (Index corner = 0; corner < 3; ++corner)
+    {
+      const Point2 scaled = this->Lowest.Scaled(triangle[static_cast<std::size_t>(corner)]);
+      values.row(corner) << 1.0, scaled.x, scaled.y;
+    }
+    const Eigen::RowVector3d sums = values.colwise().sum();
+    this->H += TriangleArea(triangle) / 12.0 *
+      (values.transpose().lazyProduct(values) + sums.transpose().lazyProduct(sums));
+  }
+}
+
 const Eigen::MatrixXd& ElementMatrices::GetMass()
 {
   if (this->ClosedForm)
   {
-    this->Integrate();
+    this->IntegrateLinear();
   }
   return this->H;
 }

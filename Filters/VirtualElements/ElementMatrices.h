@@ -85,6 +85,7 @@ private:
   void SetLowestOrder();
   void SetGeneral();
   void Integrate();
+  void IntegrateLinear();
   void IntegrateCoefficients();
   void FindNodes();
   void AddEdgeFluxes();
@@ -125,7 +126,9 @@ private:
   // the moments of the basis functions, G and B of the gradient projection.
   PolynomialBasis Polynomials;
   Eigen::MatrixXd H;
-  Eigen::MatrixXd DiffusionMass;
+  Eigen::MatrixXd DiffusionMass; // kappa, or the entry xx of a tensor
+  Eigen::MatrixXd DiffusionMassXY;
+  Eigen::MatrixXd DiffusionMassYY;
   Eigen::MatrixXd ReactionMass;
   Eigen::MatrixXd AdvectionMassX;
   Eigen::MatrixXd AdvectionMassY;

@@ -21,9 +21,14 @@ constexpr double RoundingUnits = 32.0 * std::numeric_limits<double>::epsilon();
 // The outputs of the programs, in this order.
 enum CoefficientOutput : std::size_t
 {
-  Diffusion,
-  DiffusionX,
-  DiffusionY,
+  DiffusionXX,
+  DiffusionXXbyX,
+  DiffusionXXbyY,
+  DiffusionXY,
+  DiffusionXYbyX,
+  DiffusionXYbyY,
+  DiffusionYY,
+  DiffusionYYbyY,
   AdvectionX,
   AdvectionY,
   Reaction,
@@ -36,6 +41,7 @@ enum SolutionOutput : std::size_t
   ValueX,
   ValueY,
   ValueXX,
+  ValueXY,
   ValueYY,
   NumberOfSolutionOutputs
 };
@@ -65,6 +71,8 @@ ProblemFormulas FormulasOf(const TestProblem& problem)
   ProblemFormulas formulas;
   formulas.Solution = problem.Evaluate ? "" : problem.Formula;
   formulas.Diffusion = problem.Diffusion;
+  formulas.DiffusionXY = problem.DiffusionXY;
+  formulas.DiffusionYY = problem.DiffusionYY;
   formulas.AdvectionX = problem.AdvectionX;
   formulas.AdvectionY = problem.AdvectionY;
   formulas.Reaction = problem.Reaction;
@@ -83,7 +91,7 @@ struct EllipticProblem::Internals
   std::optional<FormulaProgram> Neumann;
   std::optional<FormulaProgram> Flux;
   bool UnitDiffusion = true;
-  bool ConstantDiffusion = true;
+  bool TensorDiffusion = false;
   bool Advection = false;
   bool Reaction = false;
 
@@ -93,15 +101,16 @@ struct EllipticProblem::Internals
     this->CompileCoefficients(formulas);
     if (const std::string& u = formulas.Solution; !u.empty())
     {
-      this->Solution = CompileFormulas(
-        { { "solution", u }, { "solution", u, Derivative::X }, { "solution", u, Derivative::Y },
-          { "solution", u, Derivative::XX }, { "solution", u, Derivative::YY } });
+      this->Solution = CompileFormulas({ { "solution", u }, { "solution", u, Derivative::X },
+        { "solution", u, Derivative::Y }, { "solution", u, Derivative::XX },
+        { "solution", u, Derivative::XY }, { "solution", u, Derivative::YY } });
       this->Native = nullptr;
     }
     this->Load = CompileOptional("load", formulas.Load);
     this->Dirichlet = CompileOptional("boundary values", formulas.Dirichlet);
     this->Neumann = CompileOptional("Neumann boundary", formulas.Neumann);
     this->Flux = CompileOptional("flux", formulas.Flux);
+    this->CheckTensor();
     if (!this->KnowsSolution() && (!this->Load || !this->Dirichlet))
     {
       throw std::runtime_error("A problem without a solution needs the formulas of the load and of "
@@ -114,16 +123,30 @@ struct EllipticProblem::Internals
     const auto text = [](const std::string& formula, const char* standard)
     { return formula.empty() ? std::string(standard) : formula; };
     const std::string kappa = text(formulas.Diffusion, "1");
+    const std::string kappaXY = text(formulas.DiffusionXY, "0");
+    const std::string kappaYY = text(formulas.DiffusionYY, kappa.c_str());
     this->Coefficients =
       CompileFormulas({ { "diffusion", kappa }, { "diffusion", kappa, Derivative::X },
-        { "diffusion", kappa, Derivative::Y }, { "advection in x", text(formulas.AdvectionX, "0") },
+        { "diffusion", kappa, Derivative::Y }, { "diffusion xy", kappaXY },
+        { "diffusion xy", kappaXY, Derivative::X }, { "diffusion xy", kappaXY, Derivative::Y },
+        { "diffusion yy", kappaYY }, { "diffusion yy", kappaYY, Derivative::Y },
+        { "advection in x", text(formulas.AdvectionX, "0") },
         { "advection in y", text(formulas.AdvectionY, "0") },
         { "reaction", text(formulas.Reaction, "0") } });
-    this->UnitDiffusion = this->Coefficients.IsConstant(pemesh::Diffusion, 1.0);
-    this->ConstantDiffusion = this->Coefficients.IsConstant(pemesh::Diffusion);
+    this->TensorDiffusion = !formulas.DiffusionXY.empty() || !formulas.DiffusionYY.empty();
+    this->UnitDiffusion = !this->TensorDiffusion && this->Coefficients.IsConstant(DiffusionXX, 1.0);
     this->Advection = !this->Coefficients.IsConstant(pemesh::AdvectionX, 0.0) ||
       !this->Coefficients.IsConstant(pemesh::AdvectionY, 0.0);
     this->Reaction = !this->Coefficients.IsConstant(pemesh::Reaction, 0.0);
+  }
+
+  void CheckTensor() const
+  {
+    if (this->TensorDiffusion && this->Native && !this->Load)
+    {
+      throw std::runtime_error("The source that belongs to this test problem is not known for a "
+                               "diffusion that is a tensor: give the solution as a formula.");
+    }
   }
 
   bool KnowsSolution() const { return this->Native || this->Solution; }
@@ -162,18 +185,49 @@ struct EllipticProblem::Internals
     this->Coefficients.Evaluate(points, c);
     for (std::size_t i = 0; i < PointBlockSize; ++i)
     {
-      const double kappa = c[pemesh::Diffusion][i];
-      const double x = (c[pemesh::AdvectionX][i] - c[DiffusionX][i]) * values.GradientX[i];
-      const double y = (c[pemesh::AdvectionY][i] - c[DiffusionY][i]) * values.GradientY[i];
+      const double kappa = c[DiffusionXX][i];
+      const double x = (c[pemesh::AdvectionX][i] - c[DiffusionXXbyX][i]) * values.GradientX[i];
+      const double y = (c[pemesh::AdvectionY][i] - c[DiffusionXXbyY][i]) * values.GradientY[i];
       const double r = c[pemesh::Reaction][i] * values.Solution[i];
       values.Source[i] = kappa * values.Source[i] + x + y + r;
       size[i] = std::abs(kappa) * size[i] + std::abs(x) + std::abs(y) + std::abs(r);
     }
   }
 
+  // Everything at once: with a tensor -Laplace u is of no use.
+  void EvaluateWithTensor(
+    const PointBlock& points, TestProblemBlock& values, BlockOfNumbers& size) const
+  {
+    std::array<BlockOfNumbers, NumberOfSolutionOutputs> u;
+    std::array<BlockOfNumbers, NumberOfCoefficients> c;
+    this->Solution->Evaluate(points, u);
+    this->Coefficients.Evaluate(points, c);
+    values.Solution = u[Value];
+    values.GradientX = u[ValueX];
+    values.GradientY = u[ValueY];
+    for (std::size_t i = 0; i < PointBlockSize; ++i)
+    {
+      const double driftX = c[pemesh::AdvectionX][i] - c[DiffusionXXbyX][i] - c[DiffusionXYbyY][i];
+      const double driftY = c[pemesh::AdvectionY][i] - c[DiffusionXYbyX][i] - c[DiffusionYYbyY][i];
+      const std::array<double, 6> terms{ -c[DiffusionXX][i] * u[ValueXX][i],
+        -2.0 * c[DiffusionXY][i] * u[ValueXY][i], -c[DiffusionYY][i] * u[ValueYY][i],
+        driftX * u[ValueX][i], driftY * u[ValueY][i], c[pemesh::Reaction][i] * u[Value][i] };
+      values.Source[i] = size[i] = 0.0;
+      for (const double term : terms)
+      {
+        values.Source[i] += term;
+        size[i] += std::abs(term);
+      }
+    }
+  }
+
   void Evaluate(const PointBlock& points, TestProblemBlock& values, BlockOfNumbers& size) const
   {
-    if (this->KnowsSolution())
+    if (this->TensorDiffusion && this->Solution)
+    {
+      this->EvaluateWithTensor(points, values, size);
+    }
+    else if (this->KnowsSolution())
     {
       this->EvaluateSolution(points, values, size);
       if (!this->Load && !this->IsPoisson())
@@ -207,6 +261,7 @@ EllipticProblem::EllipticProblem(const ProblemFormulas& formulas, const TestProb
   {
     const ProblemFormulas standard = FormulasOf(*base);
     for (const auto field : { &ProblemFormulas::Solution, &ProblemFormulas::Diffusion,
+           &ProblemFormulas::DiffusionXY, &ProblemFormulas::DiffusionYY,
            &ProblemFormulas::AdvectionX, &ProblemFormulas::AdvectionY, &ProblemFormulas::Reaction })
     {
       all.*field = (all.*field).empty() ? standard.*field : all.*field;
@@ -225,9 +280,9 @@ bool EllipticProblem::IsPoisson() const
   return this->Parts->IsPoisson();
 }
 
-bool EllipticProblem::HasConstantDiffusion() const
+bool EllipticProblem::HasTensorDiffusion() const
 {
-  return this->Parts->ConstantDiffusion;
+  return this->Parts->TensorDiffusion;
 }
 
 bool EllipticProblem::HasAdvection() const
@@ -266,8 +321,8 @@ void EllipticProblem::EvaluateCoefficients(const PointBlock& points, Coefficient
 {
   std::array<BlockOfNumbers, NumberOfCoefficients> c;
   this->Parts->Coefficients.Evaluate(points, c);
-  values = { c[pemesh::Diffusion], c[pemesh::AdvectionX], c[pemesh::AdvectionY],
-    c[pemesh::Reaction] };
+  values = { c[DiffusionXX], c[DiffusionXY], c[DiffusionYY], c[pemesh::AdvectionX],
+    c[pemesh::AdvectionY], c[pemesh::Reaction] };
 }
 
 double EllipticProblem::Solution(Point2 point) const
@@ -291,11 +346,11 @@ double EllipticProblem::Source(Point2 point) const
   return block.Source[0];
 }
 
-double EllipticProblem::Diffusion(Point2 point) const
+DiffusionTensor EllipticProblem::Diffusion(Point2 point) const
 {
   CoefficientBlock block;
   this->EvaluateCoefficients(RepeatPoint(point), block);
-  return block.Diffusion[0];
+  return { block.DiffusionXX[0], block.DiffusionXY[0], block.DiffusionYY[0] };
 }
 
 double EllipticProblem::BoundaryValue(Point2 point) const
@@ -320,7 +375,9 @@ double EllipticProblem::Flux(Point2 point, Point2 normal) const
     return 0.0;
   }
   const Point2 gradient = this->Gradient(point);
-  return this->Diffusion(point) * (gradient.x * normal.x + gradient.y * normal.y);
+  const DiffusionTensor kappa = this->Diffusion(point);
+  return normal.x * (kappa.XX * gradient.x + kappa.XY * gradient.y) +
+    normal.y * (kappa.XY * gradient.x + kappa.YY * gradient.y);
 }
 
 } // namespace pemesh

@@ -25,8 +25,13 @@ namespace pemesh
 /** Formulas of x and y; an empty one is not given. */
 struct ProblemFormulas
 {
-  std::string Solution;   ///< u
-  std::string Diffusion;  ///< kappa > 0, default 1
+  std::string Solution;  ///< u
+  std::string Diffusion; ///< kappa > 0, default 1; of a tensor kappa_xx
+  ///@{
+  /** The rest of a tensor, symmetric and positive definite; where both are empty kappa is none. */
+  std::string DiffusionXY; ///< default 0
+  std::string DiffusionYY; ///< default that of kappa_xx
+  ///@}
   std::string AdvectionX; ///< beta, default 0
   std::string AdvectionY;
   std::string Reaction;  ///< c, default 0
@@ -36,9 +41,18 @@ struct ProblemFormulas
   std::string Flux;      ///< kappa du/dn; derived, or 0 where there is no solution
 };
 
+struct DiffusionTensor
+{
+  double XX = 1.0;
+  double XY = 0.0;
+  double YY = 1.0;
+};
+
 struct CoefficientBlock
 {
-  BlockOfNumbers Diffusion;
+  BlockOfNumbers DiffusionXX; ///< kappa itself where it is no tensor
+  BlockOfNumbers DiffusionXY;
+  BlockOfNumbers DiffusionYY;
   BlockOfNumbers AdvectionX;
   BlockOfNumbers AdvectionY;
   BlockOfNumbers Reaction;
@@ -64,7 +78,7 @@ public:
 
   bool KnowsSolution() const;
   bool IsPoisson() const; ///< kappa = 1, no advection, no reaction
-  bool HasConstantDiffusion() const;
+  bool HasTensorDiffusion() const;
   bool HasAdvection() const; ///< so that the system is not symmetric
   bool HasReaction() const;
   bool HasNeumannEdges() const;
@@ -79,10 +93,10 @@ public:
   double Solution(Point2 point) const;
   Point2 Gradient(Point2 point) const;
   double Source(Point2 point) const;
-  double Diffusion(Point2 point) const;
+  DiffusionTensor Diffusion(Point2 point) const;
   double BoundaryValue(Point2 point) const;
   bool IsNeumann(Point2 point) const;
-  double Flux(Point2 point, Point2 normal) const; ///< kappa du/dn, `normal` of length one
+  double Flux(Point2 point, Point2 normal) const; ///< n . kappa grad u, `normal` of length one
   ///@}
 
 private:

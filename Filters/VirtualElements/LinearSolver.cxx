@@ -65,13 +65,14 @@ std::vector<double> SolveAndRefine(
   return solution;
 }
 
-std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> rightHandSide)
+std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> rightHandSide,
+  const std::function<void()>& check)
 {
   const int limit = std::max(1000, 20 * matrix.Size());
   if (matrix.Symmetric)
   {
     ConjugateGradients iteration = RunConjugateGradients(
-      matrix, rightHandSide, CgPreconditioner::IncompleteCholesky, ResidualTolerance, limit);
+      matrix, rightHandSide, CgPreconditioner::IncompleteCholesky, ResidualTolerance, limit, check);
     if (!iteration.Converged)
     {
       throw std::runtime_error("Conjugate gradients did not converge: use the direct solver.");
@@ -99,8 +100,8 @@ std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> 
 
 } // namespace
 
-LinearSolution SolveLinearSystem(
-  const SparseMatrix& matrix, std::span<const double> rightHandSide, SolverKind kind)
+LinearSolution SolveLinearSystem(const SparseMatrix& matrix, std::span<const double> rightHandSide,
+  SolverKind kind, const std::function<void()>& check)
 {
   LinearSolution result;
   if (kind != SolverKind::Iterative)
@@ -121,7 +122,7 @@ LinearSolution SolveLinearSystem(
     }
   }
   result.Values = result.Factor ? SolveAndRefine(matrix, rightHandSide, *result.Factor)
-                                : Iterate(matrix, rightHandSide);
+                                : Iterate(matrix, rightHandSide, check);
   if (!std::all_of(result.Values.begin(), result.Values.end(),
         [](double value) { return std::isfinite(value); }))
   {

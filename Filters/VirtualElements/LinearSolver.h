@@ -9,6 +9,7 @@
 #include "SparseMatrix.h"
 #include "VirtualElementOptions.h"
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -25,10 +26,11 @@ struct LinearSolution
 /**
  * Direct solutions have one step of refinement; iterations end at a residual of 1e-12 of the
  * right-hand side. `matrix` must live as long as the factor. Throws std::runtime_error, one
- * sentence, where there is no solution in double precision or in memory.
+ * sentence, where there is no solution in double precision or in memory. `check` is called in every
+ * iteration and may throw.
  */
-LinearSolution SolveLinearSystem(
-  const SparseMatrix& matrix, std::span<const double> rightHandSide, SolverKind kind);
+LinearSolution SolveLinearSystem(const SparseMatrix& matrix, std::span<const double> rightHandSide,
+  SolverKind kind, const std::function<void()>& check = {});
 
 } // namespace pemesh
 

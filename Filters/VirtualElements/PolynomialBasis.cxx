@@ -184,19 +184,22 @@ void PolynomialBasis::Evaluate(const PointBlock& points, int degree, BlockValues
     this->Monomials.matrix().lazyProduct(this->Transform.topLeftCorner(size, size));
 }
 
-Eigen::VectorXd PolynomialBasis::ToMonomials(const Eigen::VectorXd& coefficients) const
+PolynomialCoefficients PolynomialBasis::ToMonomials(
+  const PolynomialCoefficients& coefficients) const
 {
   const Eigen::Index size = coefficients.size();
   return this->IsTransformed
-    ? Eigen::VectorXd(this->Transform.topLeftCorner(size, size) * coefficients)
+    ? PolynomialCoefficients(this->Transform.topLeftCorner(size, size).lazyProduct(coefficients))
     : coefficients;
 }
 
-Eigen::VectorXd PolynomialBasis::FromMonomialIntegrals(const Eigen::VectorXd& integrals) const
+PolynomialCoefficients PolynomialBasis::FromMonomialIntegrals(
+  const PolynomialCoefficients& integrals) const
 {
   const Eigen::Index size = integrals.size();
   return this->IsTransformed
-    ? Eigen::VectorXd(this->Transform.topLeftCorner(size, size).transpose() * integrals)
+    ? PolynomialCoefficients(
+        this->Transform.topLeftCorner(size, size).transpose().lazyProduct(integrals))
     : integrals;
 }
 

@@ -28,6 +28,10 @@ constexpr Eigen::Index PolynomialCount(int degree)
   return degree < 0 ? 0 : Eigen::Index{ degree + 1 } * (degree + 2) / 2;
 }
 
+/** The coefficients of a polynomial of an order that there is, without a memory of their own. */
+using PolynomialCoefficients =
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, PolynomialCount(LargestOrder), 1>;
+
 /** Calls body(points, weights) for all blocks of points of a rule on all triangles. */
 template <typename Body>
 void ForEachBlock(std::span<const Triangle2> triangles, int degree, const Body& body)
@@ -68,8 +72,8 @@ public:
    * polynomial at many points costs least through them.
    */
   void EvaluateMonomials(const PointBlock& points, int degree, BlockValues& values) const;
-  Eigen::VectorXd ToMonomials(const Eigen::VectorXd& coefficients) const;
-  Eigen::VectorXd FromMonomialIntegrals(const Eigen::VectorXd& integrals) const;
+  PolynomialCoefficients ToMonomials(const PolynomialCoefficients& coefficients) const;
+  PolynomialCoefficients FromMonomialIntegrals(const PolynomialCoefficients& integrals) const;
   ///@}
 
   ///@{

@@ -20,6 +20,8 @@ struct QuadraturePoint
   double Second;
   double Third;
   double Weight;
+  double SecondDegreeWeight = 0.0;
+  double FirstDegreeWeight = 0.0;
 };
 
 // The orbits of the symmetry group of the triangle: the centroid, three points (1-2a, a, a), six
@@ -55,8 +57,21 @@ std::vector<QuadraturePoint> MakeDegreeFive()
   const double root = std::sqrt(15.0);
   std::vector<QuadraturePoint> rule;
   AddCentroid(rule, 9.0 / 40.0);
-  AddThree(rule, (155.0 - root) / 1200.0, (6.0 - root) / 21.0);
-  AddThree(rule, (155.0 + root) / 1200.0, (6.0 + root) / 21.0);
+  const double a = (6.0 - root) / 21.0;
+  const double b = (6.0 + root) / 21.0;
+  AddThree(rule, (155.0 - root) / 1200.0, a);
+  AddThree(rule, (155.0 + root) / 1200.0, b);
+  // Without the centroid, two equations for the weights of degree 2: they sum to one, and the mean
+  // of l1 l2 + l2 l3 + l3 l1 (l the barycentric coordinates) is 1/4. One orbit alone has degree 1.
+  const auto mean = [](double c) { return 2.0 * c * (1.0 - 2.0 * c) + c * c; };
+  const double first = (0.25 - mean(b)) / (mean(a) - mean(b));
+  constexpr std::size_t three = 3;
+  for (std::size_t i = 1; i <= three; ++i)
+  {
+    rule[i].SecondDegreeWeight = first / three;
+    rule[i + three].SecondDegreeWeight = (1.0 - first) / three;
+    rule[i].FirstDegreeWeight = 1.0 / three;
+  }
   return rule;
 }
 
@@ -99,6 +114,8 @@ std::vector<QuadratureBlock> MakeBlocks(const std::vector<QuadraturePoint>& rule
     block.Second[i] = point.Second;
     block.Third[i] = point.Third;
     block.Weight[i] = real ? point.Weight : 0.0;
+    block.SecondDegreeWeight[i] = real ? point.SecondDegreeWeight : 0.0;
+    block.FirstDegreeWeight[i] = real ? point.FirstDegreeWeight : 0.0;
   }
   return blocks;
 }
@@ -135,6 +152,26 @@ const std::vector<QuadratureBlock>& CollapsedRule(int degree)
 }
 
 } // namespace
+
+double DifferenceAllowed(double tolerance, const ComparedRules& rules, int lowest)
+{
+  const int coarse = rules.Coarse + 1 - lowest;
+  const int fine = rules.Fine + 1 - lowest;
+  constexpr double smallestPower = 0.4;
+  return coarse <= 0
+    ? 0.0
+    : std::pow(tolerance, std::max(smallestPower, static_cast<double>(coarse) / fine));
+}
+
+std::array<double, NumberOfTriangleRules> DifferencesAllowed(double tolerance, int lowest)
+{
+  std::array<double, NumberOfTriangleRules> allowed{};
+  for (std::size_t step = 0; step < NumberOfTriangleRules; ++step)
+  {
+    allowed[step] = DifferenceAllowed(tolerance, TriangleRuleSteps[step], lowest);
+  }
+  return allowed;
+}
 
 std::span<const QuadratureBlock> TriangleRuleOfDegree(int degree)
 {

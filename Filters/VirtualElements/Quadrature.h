@@ -5,9 +5,11 @@
  *
  * Three symmetric rules of degree 5, 8 and 12 (7, 16 and 33 points, all inside, all weights
  * positive; D. A. Dunavant, Int. J. Numer. Methods Eng. 21 (1985) 1129-1148) are tried in turn
- * until two agree; where the last two do not, the triangle is cut into four. Small elements
- * thus cost 23 evaluations, and the accepted value is far better than the difference that was
- * asked for, because the better of the two rules is the one that is returned.
+ * until two agree; where the last two do not, the triangle is cut into four. The first is compared
+ * with a rule of degree 2 on its own points, so that small elements cost 7 evaluations. It is the
+ * better one of the two rules that is returned, and DifferenceAllowed says from which difference of
+ * the two its own error follows, as QUADPACK does (R. Piessens, E. de Doncker-Kapenga, C. W.
+ * Ueberhuber, D. K. Kahaner, QUADPACK, 1983).
  */
 #ifndef pemesh_Quadrature_h
 #define pemesh_Quadrature_h
@@ -34,10 +36,39 @@ struct QuadratureBlock
   BlockOfNumbers Second;
   BlockOfNumbers Third;
   BlockOfNumbers Weight; ///< zero at the points that only fill up the last block
+  ///@{
+  /** Of rules on some of these points, of degree 2 and 1; only in the rule of degree 5. */
+  BlockOfNumbers SecondDegreeWeight;
+  BlockOfNumbers FirstDegreeWeight;
+  ///@}
 };
 
 inline constexpr std::size_t NumberOfTriangleRules = 3;
 inline constexpr std::array<int, NumberOfTriangleRules> TriangleRuleDegrees = { 5, 8, 12 };
+
+/** The degrees of the two rules that are compared at each step. */
+struct ComparedRules
+{
+  int Coarse;
+  int Fine;
+};
+inline constexpr std::array<ComparedRules, NumberOfTriangleRules> TriangleRuleSteps = { { { 2, 5 },
+  { 5, 8 }, { 8, 12 } } };
+
+/**
+ * The relative difference of two rules at which the error of the finer one is about `tolerance`.
+ * The error of a rule of degree d on a triangle that is small for the integrand is proportional to
+ * a power d + 1 - lowest of its size, where `lowest` is the degree of the polynomial that the
+ * integrand is on a tiny triangle: 0 in general, 2 k + 2 for the square of the error of a method of
+ * order k. Zero where the coarser rule does not even take that polynomial. Never more than
+ * tolerance^(2/5), because a small difference may be chance.
+ */
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT double DifferenceAllowed(
+  double tolerance, const ComparedRules& rules, int lowest = 0);
+
+/** The same for all steps. */
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::array<double, NumberOfTriangleRules> DifferencesAllowed(
+  double tolerance, int lowest = 0);
 
 /** The rule exact for polynomials of degree TriangleRuleDegrees[index]. */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::span<const QuadratureBlock> TriangleRule(
@@ -74,6 +105,11 @@ struct TriangleIntegrals
 {
   std::vector<double> Value;
   std::vector<double> Absolute;
+  ///@{
+  /** By the rules of degree 2 and 1; empty from the second rule on. */
+  std::vector<double> SecondDegree;
+  std::vector<double> FirstDegree;
+  ///@}
 };
 
 /** What an integrand fills: its components, each at all points of a block. */
@@ -92,7 +128,7 @@ public:
   {
   }
 
-  /** One rule, no subdivision. */
+  /** One rule, no subdivision. The values of lower degree are those of rule 0 alone. */
   template <typename Integrand>
   void ApplyRule(std::size_t rule, const Triangle2& triangle, const Integrand& integrand,
     TriangleIntegrals& sums)
@@ -100,6 +136,9 @@ public:
     const std::size_t size = this->Values.size();
     sums.Value.assign(size, 0.0);
     sums.Absolute.assign(size, 0.0);
+    const std::size_t lower = rule == 0 ? size : 0;
+    sums.SecondDegree.assign(lower, 0.0);
+    sums.FirstDegree.assign(lower, 0.0);
     PointBlock points;
     for (const QuadratureBlock& block : TriangleRule(rule))
     {
@@ -118,6 +157,14 @@ public:
         sums.Value[k] = value;
         sums.Absolute[k] = absolute;
       }
+      for (std::size_t k = 0; k < lower; ++k)
+      {
+        for (std::size_t i = 0; i < PointBlockSize; ++i)
+        {
+          sums.SecondDegree[k] += block.SecondDegreeWeight[i] * this->Values[k][i];
+          sums.FirstDegree[k] += block.FirstDegreeWeight[i] * this->Values[k][i];
+        }
+      }
     }
     const double area = TriangleArea(triangle);
     for (std::size_t k = 0; k < size; ++k)
@@ -125,12 +172,17 @@ public:
       sums.Value[k] *= area;
       sums.Absolute[k] *= std::abs(area);
     }
+    for (std::size_t k = 0; k < lower; ++k)
+    {
+      sums.SecondDegree[k] *= area;
+      sums.FirstDegree[k] *= area;
+    }
   }
 
   /**
-   * Adds the integral over a triangle (signed area) to `sum`. `agree(coarse, fine, area) -> bool`
-   * decides whether two approximations, both TriangleIntegrals, are near enough. At most `depth`
-   * bisections of the sides are made.
+   * Adds the integral over a triangle (signed area) to `sum`. `agree(coarse, fine, area, step) ->
+   * bool` decides whether two approximations, both TriangleIntegrals, by the rules
+   * TriangleRuleSteps[step], are near enough. At most `depth` bisections of the sides are made.
    */
   template <typename Integrand, typename Agree>
   void Add(const Triangle2& triangle, const Integrand& integrand, const Agree& agree,
@@ -149,12 +201,16 @@ private:
       this->Levels.resize(level + 1);
     }
     const double area = TriangleArea(triangle);
-    this->ApplyRule(0, triangle, integrand, this->Coarse);
-    for (std::size_t rule = 1; rule < NumberOfTriangleRules; ++rule)
+    for (std::size_t step = 0; step < NumberOfTriangleRules; ++step)
     {
-      this->ApplyRule(rule, triangle, integrand, this->Fine);
-      if (agree(this->Coarse, this->Fine, area) ||
-        (depth <= 0 && rule + 1 == NumberOfTriangleRules))
+      this->ApplyRule(step, triangle, integrand, this->Fine);
+      if (step == 0)
+      {
+        this->Coarse.Value.swap(this->Fine.SecondDegree);
+        this->Coarse.FirstDegree.swap(this->Fine.FirstDegree);
+      }
+      if (agree(this->Coarse, this->Fine, area, step) ||
+        (depth <= 0 && step + 1 == NumberOfTriangleRules))
       {
         for (std::size_t k = 0; k < sum.size(); ++k)
         {

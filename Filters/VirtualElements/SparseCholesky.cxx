@@ -113,12 +113,12 @@ std::vector<double> SparseCholesky::Solve(std::span<const double> rightHandSides
   view.xtype = CHOLMOD_REAL;
   view.dtype = CHOLMOD_DOUBLE;
   cholmod_common* common = &this->Factor->Common;
-  cholmod_dense* solution = cholmod_solve(CHOLMOD_A, this->Factor->Lower, &view, common);
+  const auto free = [common](cholmod_dense* dense) { cholmod_free_dense(&dense, common); };
+  const std::unique_ptr<cholmod_dense, decltype(free)> solution(
+    cholmod_solve(CHOLMOD_A, this->Factor->Lower, &view, common), free);
   this->Factor->CheckStatus();
   const double* values = static_cast<const double*>(solution->x);
-  std::vector<double> result(values, values + rightHandSides.size());
-  cholmod_free_dense(&solution, common);
-  return result;
+  return { values, values + rightHandSides.size() };
 }
 
 std::vector<double> SparseCholesky::SolveTransposed(

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SpectralCondition.h"
 
+#include "ConjugateGradients.h"
 #include "SparseMatrix.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/SVD>
 #include <Spectra/SymEigsSolver.h>
 
@@ -73,7 +75,21 @@ double DenseConditionNumber(const SparseMatrix& matrix)
 
 } // namespace
 
-double ComputeSpectralConditionNumber(const SparseMatrix& matrix, const Factorization& factor)
+double LanczosConditionNumber(const ConjugateGradients& run)
+{
+  const auto size = static_cast<Eigen::Index>(run.Diagonal.size());
+  if (!run.Converged || size == 0)
+  {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum;
+  spectrum.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(run.Diagonal.data(), size),
+    Eigen::Map<const Eigen::VectorXd>(run.SubDiagonal.data(), size - 1), Eigen::EigenvaluesOnly);
+  return spectrum.eigenvalues()(size - 1) / spectrum.eigenvalues()(0);
+}
+
+double ComputeSpectralConditionNumber(
+  const SparseMatrix& matrix, const Factorization& factor, const std::function<void()>& check)
 {
   const int n = matrix.Size();
   if (n < DenseLimit)
@@ -81,9 +97,17 @@ double ComputeSpectralConditionNumber(const SparseMatrix& matrix, const Factoriz
     return DenseConditionNumber(matrix);
   }
   std::vector<double> middle(static_cast<std::size_t>(n));
+  const auto goOn = [&check]
+  {
+    if (check)
+    {
+      check();
+    }
+  };
   const Operator product(n,
     [&](std::span<const double> in, std::span<double> out)
     {
+      goOn();
       if (matrix.Symmetric)
       {
         return Multiply(matrix, in, out);
@@ -94,6 +118,7 @@ double ComputeSpectralConditionNumber(const SparseMatrix& matrix, const Factoriz
   const Operator inverse(n,
     [&](std::span<const double> in, std::span<double> out)
     {
+      goOn();
       std::vector<double> solution =
         matrix.Symmetric ? factor.Solve(in) : factor.Solve(factor.SolveTransposed(in));
       std::copy(solution.begin(), solution.end(), out.begin());

@@ -127,6 +127,8 @@ GiNaC::ex Differentiate(const GiNaC::ex& formula, Derivative what)
       return formula.diff(SymbolY());
     case Derivative::XX:
       return formula.diff(SymbolX(), 2);
+    case Derivative::XY:
+      return formula.diff(SymbolX()).diff(SymbolY());
     case Derivative::YY:
       return formula.diff(SymbolY(), 2);
   }

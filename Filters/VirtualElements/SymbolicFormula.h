@@ -25,6 +25,7 @@ enum class Derivative
   X,
   Y,
   XX,
+  XY,
   YY
 };
 

@@ -181,6 +181,8 @@ constexpr std::array Problems = {
     nullptr, "0.02", "1", "1" },
   TestProblem{ "reaction", "Diffusion, advection and reaction that vary", "sin(pi*x)*exp(y)",
     nullptr, "1+x*y/2", "1+y", "-x", "2+sin(x*y)" },
+  TestProblem{ "anisotropic", "Anisotropic diffusion that varies", "sin(pi*x)*exp(y)", nullptr,
+    "1+x", "0", "0", "0", "x*y/2", "0.1+y" },
 };
 
 } // namespace

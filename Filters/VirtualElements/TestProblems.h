@@ -44,6 +44,8 @@ struct TestProblem
   const char* AdvectionX = "0";
   const char* AdvectionY = "0";
   const char* Reaction = "0";
+  const char* DiffusionXY = ""; ///< of a tensor; else empty, as the next one
+  const char* DiffusionYY = "";
   ///@}
 };
 

@@ -6,6 +6,7 @@
 #include "ConjugateGradients.h"
 #include "EllipticProblem.h"
 #include "LinearSolver.h"
+#include "SolveReport.h"
 #include "SpectralCondition.h"
 #include "VirtualElementMethodErrors.h"
 #include "VirtualElementMethodSystem.h"
@@ -117,9 +118,12 @@ void CheckDiffusion(const VirtualElementMesh& mesh, const EllipticProblem& probl
 {
   for (vtkIdType id = 0; id < mesh.NumberOfPoints() && !problem.IsPoisson(); ++id)
   {
-    if (mesh.Used[id] && !(problem.Diffusion(mesh.Points[id]) > 0.0))
+    const DiffusionTensor kappa = problem.Diffusion(mesh.Points[id]);
+    const bool isPositive = kappa.XX > 0.0 &&
+      (!problem.HasTensorDiffusion() || kappa.XX * kappa.YY > kappa.XY * kappa.XY);
+    if (mesh.Used[id] && !isPositive)
     {
-      throw std::runtime_error("The diffusion must be positive, and is not at vertex " +
+      throw std::runtime_error("The diffusion must be positive (definite), and is not at vertex " +
         std::to_string(id) + " (" + std::to_string(mesh.Points[id].x) + ", " +
         std::to_string(mesh.Points[id].y) + ").");
     }
@@ -158,26 +162,32 @@ void CheckSystem(
   }
 }
 
-double CountCgIterations(const VirtualElementSystem& system, CgPreconditioner preconditioner)
+void AddDetails(const VirtualElementSystem& system, const Factorization* factor,
+  SolveReport& report, VirtualElementResult& result)
 {
-  const int limit = std::max(1000, 4 * system.Matrix.Size());
-  const ConjugateGradients run =
-    RunConjugateGradients(system.Matrix, system.RightHandSide, preconditioner, CgTolerance, limit);
-  return run.Converged ? run.Iterations : NotKnown;
-}
-
-void AddDetails(
-  const VirtualElementSystem& system, const Factorization* factor, VirtualElementResult& result)
-{
+  const auto check = [&report] { report.Check(); };
   if (factor)
   {
-    result.SpectralConditionNumber = ComputeSpectralConditionNumber(system.Matrix, *factor);
+    result.SpectralConditionNumber = ComputeSpectralConditionNumber(system.Matrix, *factor, check);
   }
-  if (system.Matrix.Symmetric)
+  if (!system.Matrix.Symmetric)
   {
-    result.CgIterations = CountCgIterations(system, CgPreconditioner::None);
-    result.CgIterationsJacobi = CountCgIterations(system, CgPreconditioner::Jacobi);
-    result.CgIterationsCholesky = CountCgIterations(system, CgPreconditioner::IncompleteCholesky);
+    return;
+  }
+  const int limit = std::max(1000, 4 * system.Matrix.Size());
+  const auto run = [&](CgPreconditioner preconditioner, double& iterations)
+  {
+    ConjugateGradients found = RunConjugateGradients(
+      system.Matrix, system.RightHandSide, preconditioner, CgTolerance, limit, check);
+    iterations = found.Converged ? found.Iterations : NotKnown;
+    return found;
+  };
+  const ConjugateGradients plain = run(CgPreconditioner::None, result.CgIterations);
+  run(CgPreconditioner::Jacobi, result.CgIterationsJacobi);
+  run(CgPreconditioner::IncompleteCholesky, result.CgIterationsCholesky);
+  if (!factor)
+  {
+    result.SpectralConditionNumber = LanczosConditionNumber(plain);
   }
 }
 
@@ -203,13 +213,8 @@ VirtualElementResult UndefinedVirtualElementResult()
 VirtualElementResult SolveElliptic(vtkPolyData* data, const EllipticProblem& problem,
   const VirtualElementOptions& options, const SolveProgress& progress)
 {
-  const auto goOn = [&progress](double fraction)
-  {
-    if (progress && !progress(fraction))
-    {
-      throw SolveAborted();
-    }
-  };
+  SolveReport report(progress);
+  const auto check = [&report] { report.Check(); };
   CheckOptions(options);
   const VirtualElementMesh mesh = MakeVirtualElementMesh(data);
   CheckDiffusion(mesh, problem);
@@ -218,18 +223,18 @@ VirtualElementResult SolveElliptic(vtkPolyData* data, const EllipticProblem& pro
   const DegreesOfFreedom dofs = NumberDegreesOfFreedom(mesh, problem, options.Order);
   const ExactValues truth = EvaluateExactly(dofs, problem);
   std::vector<double> values = EvaluateKnown(dofs, problem, truth.Solution);
-  goOn(0.05);
-  const VirtualElementParts parts = ComputeElementParts(mesh, dofs, problem, options);
-  goOn(0.2);
+  report.Tell(0.05);
+  const VirtualElementParts parts = ComputeElementParts(mesh, dofs, problem, options, report);
+  report.Tell(0.2);
   const VirtualElementSystem system = AssembleSystem(dofs, parts, values);
   CheckSystem(dofs, system, problem);
   result.AssemblySeconds = assembly.Seconds();
-  goOn(0.3);
+  report.Tell(0.3);
   const Stopwatch solving;
   const LinearSolution solution =
-    SolveLinearSystem(system.Matrix, system.RightHandSide, options.Solver);
+    SolveLinearSystem(system.Matrix, system.RightHandSide, options.Solver, check);
   result.SolveSeconds = solving.Seconds();
-  goOn(0.6);
+  report.Tell(0.6);
   for (std::size_t i = 0; i < solution.Values.size(); ++i)
   {
     values[system.DofOf[i]] = solution.Values[i];
@@ -240,16 +245,16 @@ VirtualElementResult SolveElliptic(vtkPolyData* data, const EllipticProblem& pro
     result.ConditionNumber = condition;
     result.ConditionNumberIsExact = exact;
   }
-  goOn(0.7);
+  report.Tell(0.7);
   if (options.Details)
   {
-    AddDetails(system, solution.Factor.get(), result);
+    AddDetails(system, solution.Factor.get(), report, result);
   }
-  goOn(0.8);
+  report.Tell(0.8);
   result.DegreesOfFreedom = static_cast<double>(system.DofOf.size());
   result.Nonzeros = CountNonzeros(system.Matrix);
   result.MeshSize = *std::max_element(parts.Diameter.begin(), parts.Diameter.end());
-  ComputeErrors(mesh, dofs, parts, problem, options, values, truth, result);
+  ComputeErrors(mesh, dofs, parts, problem, options, values, truth, report, result);
   values.resize(mesh.Points.size());
   result.Solution = std::move(values);
   if (problem.KnowsSolution())

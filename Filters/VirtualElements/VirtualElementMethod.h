@@ -82,7 +82,7 @@ struct VirtualElementResult
 
   ///@{
   /** With the option Details, else NaN. */
-  double SpectralConditionNumber = 0.0; ///< 2-norm
+  double SpectralConditionNumber = 0.0; ///< 2-norm; if solved by iteration, a lower bound
   double WorstProjectionCondition = 0.0;
   double WorstGradientResidual = 0.0; ///< see ElementChecks
   double WorstValueResidual = 0.0;
@@ -97,7 +97,10 @@ struct VirtualElementResult
 /** No arrays, and NaN for all performances. */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT VirtualElementResult UndefinedVirtualElementResult();
 
-/** Told between the parts of a run the fraction done; false ends it with SolveAborted. */
+/**
+ * Told between the parts of a run, and about ten times a second within most of them, the fraction
+ * done; false ends it with SolveAborted. Only a factorisation cannot be interrupted.
+ */
 using SolveProgress = std::function<bool(double fraction)>;
 
 class SolveAborted : public std::exception

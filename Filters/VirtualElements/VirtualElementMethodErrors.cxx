@@ -51,31 +51,45 @@ struct Magnitude
   double Gradient = 0.0;
 };
 
+// By the integral and the step of the quadrature.
+using AllowedDifferences = std::array<std::array<double, NumberOfTriangleRules>, NumberOfIntegrals>;
+
+AllowedDifferences DifferencesOfOrder(int order)
+{
+  return { DifferencesAllowed(NormTolerance, 2 * order + 2),
+    DifferencesAllowed(NormTolerance, 2 * order), DifferencesAllowed(NormTolerance),
+    DifferencesAllowed(NormTolerance) };
+}
+
 // For the integrals of the squares, and after them those of u times monomials.
 class SquaresAgree
 {
 public:
-  SquaresAgree(const Magnitude& exact, const Magnitude& polynomial)
-    : Rounding{ RoundingUnits * (exact.Solution + polynomial.Solution),
+  SquaresAgree(
+    const AllowedDifferences& differences, const Magnitude& exact, const Magnitude& polynomial)
+    : Differences(differences)
+    , Rounding{ RoundingUnits * (exact.Solution + polynomial.Solution),
       RoundingUnits * (exact.Gradient + polynomial.Gradient), RoundingUnits * exact.Solution,
       RoundingUnits * exact.Gradient }
   {
   }
 
-  bool operator()(const TriangleIntegrals& coarse, const TriangleIntegrals& fine, double area) const
+  bool operator()(const TriangleIntegrals& coarse, const TriangleIntegrals& fine, double area,
+    std::size_t step) const
   {
     for (std::size_t k = 0; k < NumberOfIntegrals; ++k)
     {
       // The square of e + rounding differs from that of e by 2 e rounding + rounding^2.
       const double noise = this->Rounding[k] * std::sqrt(std::abs(area));
-      const double allowed =
-        NormTolerance * fine.Absolute[k] + noise * (2.0 * std::sqrt(fine.Absolute[k]) + noise);
+      const double allowed = this->Differences[k][step] * fine.Absolute[k] +
+        noise * (2.0 * std::sqrt(fine.Absolute[k]) + noise);
       if (!(std::abs(coarse.Value[k] - fine.Value[k]) <= allowed))
       {
         return false;
       }
     }
-    const double allowed = NormTolerance * std::sqrt(std::abs(area) * fine.Absolute[NormL2]);
+    const double allowed =
+      this->Differences[NormL2][step] * std::sqrt(std::abs(area) * fine.Absolute[NormL2]);
     for (std::size_t k = NumberOfIntegrals; k < fine.Value.size(); ++k)
     {
       if (!(std::abs(coarse.Value[k] - fine.Value[k]) <= allowed))
@@ -87,6 +101,7 @@ public:
   }
 
 private:
+  const AllowedDifferences& Differences;
   double Rounding[NumberOfIntegrals];
 };
 
@@ -113,14 +128,14 @@ public:
     , Truth(truth.Solution)
     , Size{ truth.LargestValue, truth.LargestSlope }
     , Findings(findings)
+    , Differences(DifferencesOfOrder(options.Order))
   {
   }
 
   void operator()(vtkIdType first, vtkIdType last) const
   {
     ElementMatrices matrices(this->Problem, this->Options);
-    const auto moments = static_cast<std::size_t>(matrices.NumberOfMoments());
-    TriangleIntegrator integrator(NumberOfIntegrals + moments);
+    Space space(static_cast<std::size_t>(matrices.NumberOfMoments()));
     std::vector<Point2> vertices;
     for (vtkIdType id = first; id < last; ++id)
     {
@@ -128,7 +143,7 @@ public:
       matrices.Set(vertices);
       if (this->Problem.KnowsSolution())
       {
-        this->FindErrors(id, matrices, integrator);
+        this->FindErrors(id, matrices, space);
       }
       if (this->Options.Details)
       {
@@ -138,13 +153,30 @@ public:
   }
 
 private:
+  // Kept from element to element.
+  struct Space
+  {
+    TriangleIntegrator Integrator;
+    std::vector<double> Integrals;
+    BlockValues Monomials;
+    Eigen::VectorXd Values;
+    Eigen::VectorXd Truth;
+    Eigen::VectorXd Error;
+
+    explicit Space(std::size_t moments)
+      : Integrator(NumberOfIntegrals + moments)
+      , Integrals(NumberOfIntegrals + moments)
+    {
+    }
+  };
+
   // The values of all degrees of freedom; of the moments those that solve the element's equations.
-  Eigen::VectorXd Recover(vtkIdType id, const ElementMatrices& matrices) const
+  void Recover(vtkIdType id, const ElementMatrices& matrices, Eigen::VectorXd& values) const
   {
     const auto ids = this->Dofs.OfElement(id);
     const auto outer = static_cast<Eigen::Index>(ids.size());
     const Eigen::Index moments = matrices.NumberOfMoments();
-    Eigen::VectorXd values(outer + moments);
+    values.resize(outer + moments);
     for (Eigen::Index i = 0; i < outer; ++i)
     {
       values(i) = this->Values[ids[static_cast<std::size_t>(i)]];
@@ -159,57 +191,60 @@ private:
           .partialPivLu()
           .solve(load - matrix.bottomLeftCorner(moments, outer) * values.head(outer));
     }
-    return values;
   }
 
-  void FindErrors(vtkIdType id, ElementMatrices& matrices, TriangleIntegrator& integrator) const
+  void FindErrors(vtkIdType id, ElementMatrices& matrices, Space& space) const
   {
     const auto ids = this->Dofs.OfElement(id);
     const auto outer = static_cast<Eigen::Index>(ids.size());
-    const Eigen::VectorXd values = this->Recover(id, matrices);
-    const Eigen::VectorXd coefficients = matrices.Projection() * values;
-    std::vector<double> integrals(
-      NumberOfIntegrals + static_cast<std::size_t>(matrices.NumberOfMoments()), 0.0);
-    this->Integrate(matrices, coefficients, integrator, integrals);
+    this->Recover(id, matrices, space.Values);
+    const PolynomialCoefficients coefficients = matrices.Projection().lazyProduct(space.Values);
+    this->Integrate(matrices, coefficients, space);
     Squares& squares = this->Findings.Sums[id];
     squares.fill(0.0);
-    std::copy_n(integrals.begin(), NumberOfIntegrals, squares.begin());
+    std::copy_n(space.Integrals.begin(), NumberOfIntegrals, squares.begin());
 
-    Eigen::VectorXd truth(values.size());
+    Eigen::VectorXd& truth = space.Truth;
+    truth.resize(space.Values.size());
     for (Eigen::Index i = 0; i < outer; ++i)
     {
       truth(i) = this->Truth[ids[static_cast<std::size_t>(i)]];
     }
     const Eigen::Map<const Eigen::VectorXd> moments(
-      integrals.data() + NumberOfIntegrals, truth.size() - outer);
+      space.Integrals.data() + NumberOfIntegrals, truth.size() - outer);
     truth.tail(moments.size()) = matrices.Basis().FromMonomialIntegrals(moments) / matrices.Area();
-    const Eigen::VectorXd error = truth - values;
-    squares[EnergyError] = error.dot(matrices.Matrix() * error);
-    squares[EnergyNorm] = truth.dot(matrices.Matrix() * truth);
-    const Eigen::VectorXd projectedTruth = matrices.Projection() * truth;
-    const Eigen::VectorXd projectedError = projectedTruth - coefficients;
+    space.Error = truth - space.Values;
+    const auto form = [](const auto& matrix, const auto& vector)
+    { return vector.dot(matrix.lazyProduct(vector)); };
+    squares[EnergyError] = form(matrices.Matrix(), space.Error);
+    squares[EnergyNorm] = form(matrices.Matrix(), truth);
+    const PolynomialCoefficients projectedTruth = matrices.Projection().lazyProduct(truth);
+    const PolynomialCoefficients projectedError = projectedTruth - coefficients;
     const Eigen::Index size = coefficients.size();
     const auto mass = matrices.GetMass().topLeftCorner(size, size);
-    squares[ProjectedErrorL2] = projectedError.dot(mass * projectedError);
-    squares[ProjectedNormL2] = projectedTruth.dot(mass * projectedTruth);
+    squares[ProjectedErrorL2] = form(mass, projectedError);
+    squares[ProjectedNormL2] = form(mass, projectedTruth);
     const auto& products = matrices.GetGradientProducts();
-    squares[ProjectedErrorH1] = projectedError.dot(products * projectedError);
-    squares[ProjectedNormH1] = projectedTruth.dot(products * projectedTruth);
+    squares[ProjectedErrorH1] = form(products, projectedError);
+    squares[ProjectedNormH1] = form(products, projectedTruth);
   }
 
-  void Integrate(const ElementMatrices& matrices, const Eigen::VectorXd& coefficients,
-    TriangleIntegrator& integrator, std::vector<double>& integrals) const
+  void Integrate(
+    const ElementMatrices& matrices, const PolynomialCoefficients& coefficients, Space& space) const
   {
     using Eight = Eigen::Array<double, PointBlockSize, 1>;
     const PolynomialBasis& basis = matrices.Basis();
     const Eigen::Index size = coefficients.size();
-    const Eigen::VectorXd value = basis.ToMonomials(coefficients);
-    const Eigen::VectorXd slopeX =
-      basis.ToMonomials(basis.DerivativeX().topLeftCorner(size, size).transpose() * coefficients);
-    const Eigen::VectorXd slopeY =
-      basis.ToMonomials(basis.DerivativeY().topLeftCorner(size, size).transpose() * coefficients);
+    const PolynomialCoefficients value = basis.ToMonomials(coefficients);
+    const auto slope = [&](const Eigen::MatrixXd& derivative)
+    {
+      return basis.ToMonomials(
+        derivative.topLeftCorner(size, size).transpose().lazyProduct(coefficients));
+    };
+    const PolynomialCoefficients slopeX = slope(basis.DerivativeX());
+    const PolynomialCoefficients slopeY = slope(basis.DerivativeY());
     TestProblemBlock exact;
-    BlockValues monomials;
+    BlockValues& monomials = space.Monomials;
     const auto map = [](const BlockOfNumbers& block)
     { return Eigen::Map<const Eight>(block.data()); };
     const auto integrand = [&](const PointBlock& points, IntegrandValues values)
@@ -236,11 +271,12 @@ private:
       set(ErrorL2, e.square());
       set(ErrorH1, ex.square() + ey.square());
     };
-    const SquaresAgree agree(
-      this->Size, { value.lpNorm<1>(), slopeX.lpNorm<1>() + slopeY.lpNorm<1>() });
+    const SquaresAgree agree(this->Differences, this->Size,
+      { value.lpNorm<1>(), slopeX.lpNorm<1>() + slopeY.lpNorm<1>() });
+    std::fill(space.Integrals.begin(), space.Integrals.end(), 0.0);
     for (const Triangle2& triangle : matrices.Triangles())
     {
-      integrator.Add(triangle, integrand, agree, integrals);
+      space.Integrator.Add(triangle, integrand, agree, space.Integrals);
     }
   }
 
@@ -253,6 +289,7 @@ private:
   std::span<const double> Truth;
   Magnitude Size;
   ElementFindings& Findings;
+  AllowedDifferences Differences;
 };
 
 // NaN where the exact solution is nothing but rounding, compared with `scale`.
@@ -372,7 +409,7 @@ ExactValues EvaluateExactly(const DegreesOfFreedom& dofs, const EllipticProblem&
 void ComputeErrors(const VirtualElementMesh& mesh, const DegreesOfFreedom& dofs,
   const VirtualElementParts& parts, const EllipticProblem& problem,
   const VirtualElementOptions& options, std::span<const double> values, const ExactValues& truth,
-  VirtualElementResult& result)
+  SolveReport& report, VirtualElementResult& result)
 {
   if (!problem.KnowsSolution() && !options.Details)
   {
@@ -381,7 +418,7 @@ void ComputeErrors(const VirtualElementMesh& mesh, const DegreesOfFreedom& dofs,
   ElementFindings findings;
   findings.Sums.resize(problem.KnowsSolution() ? mesh.NumberOfElements() : 0);
   findings.Checks.resize(options.Details ? mesh.NumberOfElements() : 0);
-  ParallelLoop(0, mesh.NumberOfElements(), 0,
+  ForElements(mesh.NumberOfElements(), report,
     ErrorWorker(mesh, dofs, parts, problem, options, values, truth, findings));
   if (problem.KnowsSolution())
   {

@@ -29,7 +29,7 @@ ExactValues EvaluateExactly(const DegreesOfFreedom& dofs, const EllipticProblem&
 void ComputeErrors(const VirtualElementMesh& mesh, const DegreesOfFreedom& dofs,
   const VirtualElementParts& parts, const EllipticProblem& problem,
   const VirtualElementOptions& options, std::span<const double> values, const ExactValues& truth,
-  VirtualElementResult& result);
+  SolveReport& report, VirtualElementResult& result);
 
 } // namespace pemesh
 

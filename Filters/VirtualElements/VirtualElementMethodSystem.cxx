@@ -6,6 +6,7 @@
 #include "ElementMatrices.h"
 #include "EllipticProblem.h"
 #include "ParallelLoop.h"
+#include "SolveReport.h"
 
 #include <algorithm>
 #include <cmath>
@@ -278,9 +279,21 @@ void CheckFinite(const VirtualElementParts& parts, const DegreesOfFreedom& dofs)
 
 } // namespace
 
+void ForElements(
+  vtkIdType elements, SolveReport& report, const std::function<void(vtkIdType, vtkIdType)>& body)
+{
+  constexpr vtkIdType parts = 64;
+  const vtkIdType length = elements / parts + 1;
+  for (vtkIdType first = 0; first < elements; first += length)
+  {
+    ParallelLoop(first, std::min(elements, first + length), 0, body);
+    report.Check();
+  }
+}
+
 VirtualElementParts ComputeElementParts(const VirtualElementMesh& mesh,
   const DegreesOfFreedom& dofs, const EllipticProblem& problem,
-  const VirtualElementOptions& options)
+  const VirtualElementOptions& options, SolveReport& report)
 {
   VirtualElementParts parts;
   parts.Symmetric = !problem.HasAdvection();
@@ -297,7 +310,7 @@ VirtualElementParts ComputeElementParts(const VirtualElementMesh& mesh,
   parts.MomentLoad.resize(
     static_cast<std::size_t>(elements) * (options.Order * (options.Order - 1) / 2));
   parts.Diameter.resize(elements);
-  ParallelLoop(0, elements, 0, ElementWorker(mesh, dofs, problem, options, parts));
+  ForElements(elements, report, ElementWorker(mesh, dofs, problem, options, parts));
   CheckFinite(parts, dofs);
   return parts;
 }

@@ -13,11 +13,14 @@
 #include "VirtualElementMethod.h"
 #include "VirtualElementMethodMesh.h"
 
+#include <functional>
 #include <span>
 #include <vector>
 
 namespace pemesh
 {
+
+class SolveReport;
 
 /** What the elements contribute; the moments inside are eliminated (static condensation). */
 struct VirtualElementParts
@@ -41,9 +44,16 @@ struct VirtualElementParts
   }
 };
 
+/**
+ * Calls body(first, last) in parallel for the elements, and asks now and then whether to go on.
+ * Throws SolveAborted where not.
+ */
+void ForElements(
+  vtkIdType elements, SolveReport& report, const std::function<void(vtkIdType, vtkIdType)>& body);
+
 VirtualElementParts ComputeElementParts(const VirtualElementMesh& mesh,
   const DegreesOfFreedom& dofs, const EllipticProblem& problem,
-  const VirtualElementOptions& options);
+  const VirtualElementOptions& options, SolveReport& report);
 
 struct VirtualElementSystem
 {

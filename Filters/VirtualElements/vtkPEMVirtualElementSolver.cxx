@@ -45,10 +45,12 @@ struct FormulaOption
 };
 
 constexpr FormulaOption FormulaOptions[] = { { "solution", &ProblemFormulas::Solution },
-  { "diffusion", &ProblemFormulas::Diffusion }, { "advection-x", &ProblemFormulas::AdvectionX },
-  { "advection-y", &ProblemFormulas::AdvectionY }, { "reaction", &ProblemFormulas::Reaction },
-  { "source", &ProblemFormulas::Load }, { "dirichlet", &ProblemFormulas::Dirichlet },
-  { "neumann", &ProblemFormulas::Neumann }, { "flux", &ProblemFormulas::Flux } };
+  { "diffusion", &ProblemFormulas::Diffusion }, { "diffusion-xy", &ProblemFormulas::DiffusionXY },
+  { "diffusion-yy", &ProblemFormulas::DiffusionYY },
+  { "advection-x", &ProblemFormulas::AdvectionX }, { "advection-y", &ProblemFormulas::AdvectionY },
+  { "reaction", &ProblemFormulas::Reaction }, { "source", &ProblemFormulas::Load },
+  { "dirichlet", &ProblemFormulas::Dirichlet }, { "neumann", &ProblemFormulas::Neumann },
+  { "flux", &ProblemFormulas::Flux } };
 
 vtkSmartPointer<vtkDoubleArray> MakeArray(
   const std::string& name, const std::vector<double>& values)

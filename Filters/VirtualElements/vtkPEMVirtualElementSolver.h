@@ -51,9 +51,9 @@ public:
   /**
    * A choice by name: "problem" (default franke), "basis" (orthonormal), "stabilisation"
    * (dofi-dofi), "p0" (boundary), "load" (pi0), "solver" (auto); or a formula: "solution",
-   * "diffusion", "advection-x", "advection-y", "reaction", "source", "dirichlet", "neumann", "flux"
-   * (all empty). A solution or a source takes the place of the test problem. The same names as the
-   * options of pemesh-vem.
+   * "diffusion", "diffusion-xy", "diffusion-yy", "advection-x", "advection-y", "reaction",
+   * "source", "dirichlet", "neumann", "flux" (all empty). A solution or a source takes the place of
+   * the test problem. The same names as the options of pemesh-vem.
    */
   void SetOption(const std::string& name, const std::string& value);
   /** Empty for an option that there is not. */

@@ -86,6 +86,11 @@ std::optional<long long> ParseInteger(std::string_view text)
   return ParseWhole<long long>(text);
 }
 
+std::string FormatCount(long long count, const char* one, const char* many)
+{
+  return std::to_string(count) + ' ' + (count == 1 ? one : many);
+}
+
 int EditDistance(std::string_view a, std::string_view b)
 {
   std::vector<int> row(b.size() + 1);

@@ -29,6 +29,9 @@ PEMESHIOCORE_EXPORT std::optional<double> ParseNumber(std::string_view text);
 PEMESHIOCORE_EXPORT std::optional<long long> ParseInteger(std::string_view text);
 ///@}
 
+/** "1 mesh", "2 meshes". */
+PEMESHIOCORE_EXPORT std::string FormatCount(long long count, const char* one, const char* many);
+
 /** For error messages: the candidate with the smallest edit distance to `word`, or "" if none. */
 template <typename Range>
 std::string NearestWord(std::string_view word, const Range& candidates);

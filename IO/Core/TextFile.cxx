@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "TextFile.h"
 
+#include "FileDescriptor.h"
+
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
@@ -25,28 +27,15 @@ namespace
     std::string("Cannot ") + verb + " \"" + path.string() + "\": " + why + ".");
 }
 
-/** Closes a file on every way out. */
-class FileDescriptor
+/** So that after a power cut the name does not lead to a file of nothing but zeros. */
+void Flush(const std::filesystem::path& temporary, const std::filesystem::path& path)
 {
-public:
-  explicit FileDescriptor(int descriptor)
-    : Descriptor(descriptor)
+  const FileDescriptor file(open(temporary.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.IsOpen() && fdatasync(file.Get()) != 0 && errno != EINVAL && errno != EROFS)
   {
+    Fail("write", path, std::strerror(errno));
   }
-  FileDescriptor(const FileDescriptor&) = delete;
-  FileDescriptor& operator=(const FileDescriptor&) = delete;
-  ~FileDescriptor()
-  {
-    if (this->Descriptor >= 0)
-    {
-      close(this->Descriptor);
-    }
-  }
-  int Get() const { return this->Descriptor; }
-
-private:
-  int Descriptor;
-};
+}
 
 } // namespace
 
@@ -112,6 +101,7 @@ void WriteFileSafely(const std::filesystem::path& path,
   try
   {
     write(temporary);
+    Flush(temporary, path);
   }
   catch (...)
   {

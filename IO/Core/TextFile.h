@@ -24,8 +24,9 @@ PEMESHIOCORE_EXPORT std::string ReadTextFile(
   const std::filesystem::path& path, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /**
- * Writes under a temporary name in the same folder, then renames: a reader sees the old file or
- * the new one, never a part. The folder is made if missing.
+ * Writes under a temporary name in the same folder, brings that to the disk, then renames: a reader
+ * sees the old file or the new one, never a part, even after a power cut. The folder is made if
+ * missing.
  */
 PEMESHIOCORE_EXPORT void WriteTextFile(
   const std::filesystem::path& path, std::string_view contents);

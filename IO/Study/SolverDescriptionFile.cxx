@@ -3,6 +3,7 @@
 #include "SolverDescriptionFile.h"
 
 #include "MeshFormats.h"
+#include "SolverCommand.h"
 #include "StudyFields.h"
 #include "TextFile.h"
 
@@ -17,7 +18,7 @@ namespace
 namespace fs = std::filesystem;
 
 /** Placeholders of a command that every solver has. */
-const std::vector<std::string> CommonPlaceholders{ "mesh", "node", "ele", "output", "stem",
+const std::vector<std::string> CommonPlaceholders{ "mesh", "node", "ele", "output", "stem", "list",
   "threads", "folder" };
 
 /** Keys of a run in a study, which no option can be called. */
@@ -189,6 +190,32 @@ void CheckUnique(const std::vector<Entry>& entries, const DocumentPlace& place)
   }
 }
 
+/** A solver is told of one mesh or of a list, not of both. */
+void CheckList(const DocumentPlace& place, const SolverDescription& description)
+{
+  if (!TakesList(description))
+  {
+    if (description.MeshesPerCall > 1)
+    {
+      place.Member("meshes-per-call")
+        .Fail("is more than 1, but the command has no {list}: name in it the file that lists the "
+              "meshes.");
+    }
+    return;
+  }
+  for (const std::string& argument : description.Command)
+  {
+    for (const char* placeholder : { "{mesh}", "{node}", "{ele}", "{output}", "{stem}" })
+    {
+      if (argument.find(placeholder) != std::string::npos)
+      {
+        place.Member("command").Fail("has both {list} and " + std::string(placeholder) +
+          ": a solver that takes a list finds the meshes in it, and leaves its files beside each.");
+      }
+    }
+  }
+}
+
 void FinishDescription(const DocumentPlace& place, SolverDescription& description)
 {
   CheckFileName(place.Member("name"), description.Name);
@@ -209,6 +236,7 @@ void FinishDescription(const DocumentPlace& place, SolverDescription& descriptio
   {
     CheckPlaceholders(description.Command[i], command.Item(i), known);
   }
+  CheckList(place, description);
 }
 
 Field<SolverDescription> ArgumentsField(
@@ -242,6 +270,8 @@ const FieldTable<SolverDescription>& DescriptionFields()
       ArgumentsField("command", &SolverDescription::Command,
         "The argument list, with placeholders {mesh}, {output}, {stem}, options, …")
         .Required(),
+      IntegerField("meshes-per-call", &SolverDescription::MeshesPerCall, 1, 1000000,
+        "How many meshes it solves in a call at the most, if its command has {list}."),
       ChoiceField("mesh-format", &SolverDescription::MeshFormat, SolverMeshFormats(),
         "The format in which it reads meshes."),
       ListField("options", &SolverDescription::Options, OptionFields(), "What a run can choose."),
@@ -395,7 +425,11 @@ std::vector<FoundSolver> ListSolvers(const std::vector<fs::path>& folders)
   }
   std::sort(all.begin(), all.end(),
     [](const FoundSolver& a, const FoundSolver& b)
-    { return a.Description.Name < b.Description.Name; });
+    {
+      const std::string& first = a.Description.Name;
+      const std::string& second = b.Description.Name;
+      return std::pair(first != BundledSolver, first) < std::pair(second != BundledSolver, second);
+    });
   return all;
 }
 

@@ -53,7 +53,12 @@ struct FoundSolver
   std::string Error; // empty if the file is good
 };
 
-/** All descriptions of the search folders in order of name; of two with one name the first found.
+/** The solver that needs nothing installed: what to begin with. */
+inline constexpr const char* BundledSolver = "pemesh-vem";
+
+/**
+ * All descriptions of the search folders, the bundled solver first, the others in order of name; of
+ * two with one name the first found.
  */
 PEMESHIOSTUDY_EXPORT std::vector<FoundSolver> ListSolvers(
   const std::vector<std::filesystem::path>& folders = SolverFolders());

@@ -4,11 +4,11 @@
  * How fast the bundled solver is, by order and kind of mesh, and against a 5-point matrix
  * factorised by Eigen in the same run.
  *
- *   BenchmarkSolver [largest number of unknowns = 1e6] [threads = 1]
+ *   BenchmarkSolver [largest number of unknowns = 1e6] [threads = 1] [mesh = all of them] [order =
+ * all]
  *
- * One line a run: unknowns, seconds of all processors, wall seconds of assembly and of the
- * solution, the ratio to the baseline at the same number of unknowns, error, peak memory of a
- * process that did this alone.
+ * One line a run: unknowns, seconds of all processors, in all and of the stages, the ratio to the
+ * baseline at the same number of unknowns, error, peak memory of a process that did this alone.
  */
 #include "EllipticProblem.h"
 #include "MeshConversion.h"
@@ -30,6 +30,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
+#include <iterator>
+#include <string>
 #include <vector>
 
 namespace
@@ -95,16 +97,30 @@ void Measure(const Sample& sample, int threads)
   pemesh::SetNumberOfThreads(threads);
   pemesh::VirtualElementOptions options;
   options.Order = sample.Order;
+  std::vector<double> ends;
   const double start = ProcessorSeconds();
-  const auto result = pemesh::SolveElliptic(mesh, *pemesh::FindTestProblem("franke"), options);
-  const double seconds = ProcessorSeconds() - start;
+  const auto result = pemesh::SolveElliptic(mesh, *pemesh::FindTestProblem("franke"), options,
+    [&ends](double)
+    {
+      ends.push_back(ProcessorSeconds());
+      return true;
+    });
+  ends.push_back(ProcessorSeconds());
+  const double seconds = ends.back() - start;
   const double memory = result.MemoryMegabytes;
   const double baseline = BaselineSeconds(result.DegreesOfFreedom);
-  std::printf("%-10s order %d %9lld elements %9.0f unknowns %7.2f s (assembly %.2f, solve %.2f) "
-              "%5.2f x baseline (%.2f s)  L2 error %.1e  %5.0f MB\n",
-    sample.Mesh, sample.Order, static_cast<long long>(mesh->GetNumberOfPolys()),
-    result.DegreesOfFreedom, seconds, result.AssemblySeconds, result.SolveSeconds,
-    seconds / baseline, baseline, result.RelativeErrorL2, memory);
+  std::printf("%-10s order %d %9lld elements %9.0f unknowns %7.2f s (", sample.Mesh, sample.Order,
+    static_cast<long long>(mesh->GetNumberOfPolys()), result.DegreesOfFreedom, seconds);
+  constexpr const char* stages[] = { "mesh", "elements", "assembly", "solution", "condition",
+    "details", "errors" };
+  double begin = start;
+  for (std::size_t i = 0; i < ends.size() && i < std::size(stages); ++i)
+  {
+    std::printf("%s%s %.2f", i == 0 ? "" : ", ", stages[i], ends[i] - begin);
+    begin = ends[i];
+  }
+  std::printf(") %5.2f x baseline (%.2f s)  L2 error %.1e  %5.0f MB\n", seconds / baseline,
+    baseline, result.RelativeErrorL2, memory);
   std::fflush(stdout);
 }
 
@@ -114,6 +130,8 @@ int main(int argc, char** argv)
 {
   const double largest = argc > 1 ? std::atof(argv[1]) : 1e6;
   const int threads = argc > 2 ? std::atoi(argv[2]) : 1;
+  const std::string wanted = argc > 3 ? argv[3] : "";
+  const int order = argc > 4 ? std::atoi(argv[4]) : 0;
   for (double unknowns = 1e5; unknowns <= largest; unknowns *= 10.0)
   {
     const double side = std::round(std::sqrt(unknowns));
@@ -124,6 +142,10 @@ int main(int argc, char** argv)
     }
     for (const Sample& sample : samples)
     {
+      if ((!wanted.empty() && wanted != sample.Mesh) || (order > 0 && order != sample.Order))
+      {
+        continue;
+      }
       const pid_t child = fork(); // so that the peak of one is not that of another
       if (child == 0)
       {

@@ -34,6 +34,11 @@ namespace
 #define PEMESH_KILLS 4
 #endif
 
+long LineCount(const std::string& text)
+{
+  return std::count(text.begin(), text.end(), '\n');
+}
+
 void WriteFile(const fs::path& path, const std::string& text)
 {
   fs::create_directories(path.parent_path());
@@ -335,4 +340,37 @@ TEST_F(ResumeTest, SolversWaitForMemory)
   const std::string limit = "solvers[0].memory-limit=100";
   EXPECT_EQ(this->Run({ "--set", limit, "--memory", "150" }).ExitCode, 0);
   EXPECT_EQ(this->Run({ "--set", limit, "--memory", "200" }).ExitCode, 1) << "two at a time";
+}
+
+TEST_F(ResumeTest, SolversThatTakeListsResumeMeshByMesh)
+{
+  WriteFile(this->Folder / "list.sh",
+    "#!/bin/sh\n"
+    "cat \"$1\" >> '" +
+      (this->Folder / "calls").string() +
+      "'\n"
+      "while IFS= read -r mesh; do\n"
+      "  case $mesh in 002_*) [ ! -e '" +
+      (this->Folder / "broken").string() +
+      "' ] || exit 7 ;; esac\n"
+      "  sed -n '3,$p' \"$mesh\" | while read -r x y z w; do [ -n \"$w\" ] || echo \"$x\"; done"
+      " > \"${mesh%.off}-solution.txt\"\n"
+      "  wc -c < \"$mesh\" > \"${mesh%.off}-bytes.txt\"\n"
+      "done < \"$1\"\n");
+  fs::permissions(this->Folder / "list.sh", fs::perms::owner_all);
+  WriteFile(this->Folder / "solver.json",
+    R"({"name": "toy", "command": ["./list.sh", "{list}"], "meshes-per-call": 3,
+        "performances": [{"name": "bytes"}]})");
+  this->WriteStudy(6);
+  EXPECT_EQ(this->Run({}, "whole").ExitCode, 0);
+  EXPECT_EQ(this->NewCalls(), 6);
+  WriteFile(this->Folder / "broken", "");
+  EXPECT_EQ(this->Run({}).ExitCode, 1);
+  // The three of the call that went wrong were solved once more, alone.
+  EXPECT_EQ(this->NewCalls(), 9);
+  EXPECT_EQ(LineCount(FileText(this->Folder / "out" / "failures.csv")), 2); // header and one mesh
+  fs::remove(this->Folder / "broken");
+  EXPECT_EQ(this->Run({ "--resume" }).ExitCode, 0);
+  EXPECT_EQ(this->NewCalls(), 1);
+  this->ExpectSameResults("whole", "out");
 }

@@ -8,6 +8,7 @@
 
 #include <atomic>
 #include <filesystem>
+#include <stdexcept>
 #include <vector>
 
 #include <vtkCallbackCommand.h>
@@ -102,4 +103,62 @@ TEST(Runner, RunsTwiceIntoTheSameFolder)
   const std::string first = pemesh::FileText(folder / "out" / "results.csv");
   ASSERT_TRUE(runner->Run()) << testing::PrintToString(runner->GetMessages());
   EXPECT_EQ(first, pemesh::FileText(folder / "out" / "results.csv"));
+}
+
+TEST(Runner, WhatIsRefusedForgetsTheRunBefore)
+{
+  const fs::path folder = FreshFolder("forget");
+  vtkNew<vtkPEMRunner> runner;
+  runner->SetStudyText(SmallStudy(2), folder.string());
+  runner->SetOutputDirectory(folder / "out");
+  ASSERT_TRUE(runner->Run());
+  runner->SetResume(true);
+  ASSERT_TRUE(runner->Run());
+  ASSERT_EQ(runner->GetNumberOfReusedCases(), 2);
+  runner->AddSetting("metrics=[\"Aera\"]");
+  EXPECT_FALSE(runner->Run());
+  EXPECT_TRUE(runner->GetRefused());
+  EXPECT_EQ(runner->GetResults(), nullptr);
+  EXPECT_EQ(runner->GetNumberOfReusedCases(), 0);
+  runner->RemoveAllSettings();
+  EXPECT_TRUE(runner->Run()); // nothing is held open
+}
+
+TEST(Runner, ResultsThatCannotBeWrittenAreNotLost)
+{
+  const fs::path folder = FreshFolder("unwritable");
+  vtkNew<vtkPEMRunner> runner;
+  runner->SetStudyText(SmallStudy(3), folder.string());
+  runner->SetOutputDirectory(folder / "out");
+  fs::path obstacle = folder / "out" / "results.csv"; // a file cannot take the place of a folder
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetClientData(&obstacle);
+  observer->SetCallback([](vtkObject*, unsigned long, void* path, void*)
+    { fs::create_directories(*static_cast<fs::path*>(path) / "full"); });
+  const unsigned long tag = runner->AddObserver(vtkCommand::ProgressEvent, observer);
+  EXPECT_FALSE(runner->Run());
+  EXPECT_FALSE(runner->GetRefused()); // the study is not wrong
+  ASSERT_EQ(runner->GetMessages().size(), 1U) << testing::PrintToString(runner->GetMessages());
+  EXPECT_THAT(runner->GetMessages().front(), HasSubstr("results.csv"));
+  EXPECT_EQ(runner->GetResults()->GetNumberOfRows(), 3);
+  runner->RemoveObserver(tag);
+  fs::remove_all(obstacle);
+  runner->SetResume(true);
+  EXPECT_TRUE(runner->Run()) << testing::PrintToString(runner->GetMessages());
+  EXPECT_EQ(runner->GetNumberOfReusedCases(), 3);
+}
+
+TEST(Runner, WhoeverThrowsInTheMiddleLeavesNoWorkersBehind)
+{
+  const fs::path folder = FreshFolder("throw");
+  vtkNew<vtkPEMRunner> runner;
+  runner->SetStudyText(SmallStudy(200), folder.string());
+  runner->SetOutputDirectory(folder / "out");
+  runner->SetNumberOfWorkers(2);
+  vtkNew<vtkCallbackCommand> observer;
+  observer->SetCallback([](vtkObject*, unsigned long, void*, void*)
+    { throw std::runtime_error("The front has fallen over."); });
+  runner->AddObserver(vtkCommand::ProgressEvent, observer);
+  EXPECT_FALSE(runner->Run());
+  EXPECT_THAT(runner->GetMessages().back(), HasSubstr("fallen over"));
 }

@@ -369,3 +369,17 @@ TEST(ChildProcess, ManyThreadsAtOnce)
   EXPECT_EQ(wrong, 0);
   EXPECT_LT(watch.Seconds(), 75.0); // nobody waited for a sleeper
 }
+
+TEST(ChildProcess, ThousandsOfShortChildrenDoNotDisturbTheWatch)
+{
+  const std::filesystem::path folder = TestFolder();
+  // Every subshell is a process that may end while the supervisor looks at it.
+  ChildProcess child = Shell(folder,
+    "i=0; while [ $i -lt 1000 ]; do (:) & (:); i=$((i + 1)); done; wait; echo done; exit 5");
+  child.MemoryLimit = 1e12; // it is measured all the time
+  const ChildProcessResult result = RunChildProcess(child);
+  EXPECT_EQ(result.How, Ending::Exited) << result.Reason;
+  EXPECT_EQ(result.ExitStatus, 5);
+  EXPECT_EQ(ReadBytes(folder / "out"), "done\n");
+  EXPECT_GT(result.PeakMemory, 0.0);
+}

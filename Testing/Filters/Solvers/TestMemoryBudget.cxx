@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <stdexcept>
 #include <thread>
 #include <vector>
 
@@ -89,4 +90,22 @@ TEST(MemoryBudget, NeverMoreThanThereIs)
   }
   EXPECT_LE(most, 100);
   EXPECT_GT(most, 75); // several at a time
+}
+
+TEST(MemoryBudget, NothingIsLearntFromARunThatWasNotMeasured)
+{
+  MemoryBudget budget(100.0);
+  EXPECT_EQ(budget.Take("a", 0.0, Always), 100.0);
+  budget.GiveBack("a", 100.0, 0.0);
+  EXPECT_EQ(budget.Take("a", 0.0, Always), 100.0); // not 0, which would let all of them run
+}
+
+TEST(MemoryBudget, WhoIsInterruptedHoldsNobodyUp)
+{
+  MemoryBudget budget(100.0);
+  const double taken = budget.Take("a", 100.0, Always);
+  EXPECT_THROW(budget.Take("b", 50.0, []() -> bool { throw std::runtime_error("enough"); }),
+    std::runtime_error);
+  budget.GiveBack("a", taken, 1.0);
+  EXPECT_EQ(budget.Take("c", 100.0, Never), 100.0);
 }

@@ -70,6 +70,8 @@ TEST(SolverCommand, AsksForTheVersion)
   EXPECT_EQ(AskSolverVersion(description), "");
   description.VersionCommand = { "sh", "-c", "echo 'solver 1.2'; echo more" };
   EXPECT_EQ(AskSolverVersion(description), "solver 1.2");
+  description.VersionCommand = { "sh", "-c", "echo 'no such option'; exit 1" };
+  EXPECT_EQ(AskSolverVersion(description), "");
   description.VersionCommand = { "no-such-program-anywhere" };
   EXPECT_EQ(AskSolverVersion(description), "");
 }

@@ -5,6 +5,7 @@
 #include "SparseCholesky.h"
 #include "SparseLU.h"
 #include "SpectralCondition.h"
+#include "VirtualElementMethod.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -232,8 +233,28 @@ TEST(ConjugateGradients, SolveWithEveryPreconditioner)
     const Eigen::Map<const Eigen::VectorXd> found(run.Solution.data(), 120);
     EXPECT_LT((found - expected).norm(), 1.0e-6 * expected.norm());
     plain = kind == pemesh::CgPreconditioner::None ? run.Iterations : plain;
+    if (kind == pemesh::CgPreconditioner::None)
+    {
+      const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(dense);
+      const double kappa = spectrum.eigenvalues()(119) / spectrum.eigenvalues()(0);
+      EXPECT_NEAR(pemesh::LanczosConditionNumber(run) / kappa, 1.0, 1.0e-6);
+    }
     EXPECT_LE(run.Iterations, plain);
   }
+  int calls = 0;
+  const auto check = [&calls]
+  {
+    if (++calls == 5)
+    {
+      throw pemesh::SolveAborted();
+    }
+  };
+  EXPECT_THROW(
+    pemesh::RunConjugateGradients(matrix, ones, pemesh::CgPreconditioner::None, 1e-12, 5000, check),
+    pemesh::SolveAborted);
+  calls = 0;
+  EXPECT_THROW(pemesh::ComputeSpectralConditionNumber(matrix, SparseCholesky(matrix), check),
+    pemesh::SolveAborted);
   EXPECT_FALSE(pemesh::RunConjugateGradients(matrix, ones, pemesh::CgPreconditioner::None, 1e-12, 3)
                  .Converged);
 }

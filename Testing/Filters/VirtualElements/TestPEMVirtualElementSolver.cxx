@@ -5,6 +5,7 @@
 #include "CaseStatus.h"
 #include "EllipticProblem.h"
 #include "ErrorLog.h"
+#include "SolveReport.h"
 #include "TestProblems.h"
 #include "VirtualElementMethod.h"
 #include "VirtualElementTestMeshes.h"
@@ -19,7 +20,10 @@
 #include <vtkNew.h>
 #include <vtkPointData.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
+#include <vector>
 
 namespace
 {
@@ -127,6 +131,25 @@ TEST(PEMVirtualElementSolver, CanBeCancelled)
   filter->Update();
   EXPECT_EQ(pemesh::GetFieldText(filter->GetOutput(), "SolverStatus"), "cancelled");
   EXPECT_EQ(filter->GetOutput()->GetPointData()->GetArray("Solution"), nullptr);
+}
+
+TEST(SolveReport, AsksNowAndThenWithinAStage)
+{
+  std::vector<double> fractions;
+  bool goesOn = true;
+  const pemesh::SolveProgress progress = [&](double fraction)
+  {
+    fractions.push_back(fraction);
+    return goesOn;
+  };
+  pemesh::SolveReport report(progress);
+  report.Tell(0.25);
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  report.Check();
+  EXPECT_THAT(fractions, testing::ElementsAre(0.25, 0.25));
+  goesOn = false;
+  std::this_thread::sleep_for(std::chrono::milliseconds(150));
+  EXPECT_THROW(report.Check(), pemesh::SolveAborted);
 }
 
 } // namespace

@@ -112,8 +112,16 @@ TEST(TestProblems, GradientsAndSourcesAreTheDerivatives)
       }
       const Differences d = { problem, place, 5.0e-4 };
       const auto u = [&](Point2 p) { return problem.Solution(p); };
-      const auto fluxX = [&](Point2 p) { return problem.Diffusion(p) * problem.Gradient(p).x; };
-      const auto fluxY = [&](Point2 p) { return problem.Diffusion(p) * problem.Gradient(p).y; };
+      const auto fluxX = [&](Point2 p)
+      {
+        return problem.Diffusion(p).XX * problem.Gradient(p).x +
+          problem.Diffusion(p).XY * problem.Gradient(p).y;
+      };
+      const auto fluxY = [&](Point2 p)
+      {
+        return problem.Diffusion(p).XY * problem.Gradient(p).x +
+          problem.Diffusion(p).YY * problem.Gradient(p).y;
+      };
       const Point2 gradient = problem.Gradient(place);
       EXPECT_NEAR(gradient.x, d.First(u, 1, 0), 1.0e-5 * (1 + std::abs(gradient.x))) << entry.Name;
       EXPECT_NEAR(gradient.y, d.First(u, 0, 1), 1.0e-5 * (1 + std::abs(gradient.y))) << entry.Name;

@@ -98,3 +98,10 @@ TEST(NumberText, FindsTheNearestWord)
   EXPECT_EQ(NearestWord("str", words), "star");
   EXPECT_EQ(NearestWord("x", std::vector<std::string>()), "");
 }
+
+TEST(NumberText, CountsInWords)
+{
+  EXPECT_EQ(pemesh::FormatCount(0, "mesh", "meshes"), "0 meshes");
+  EXPECT_EQ(pemesh::FormatCount(1, "mesh", "meshes"), "1 mesh");
+  EXPECT_EQ(pemesh::FormatCount(5000000000, "mesh", "meshes"), "5000000000 meshes");
+}

@@ -139,6 +139,16 @@ TEST_F(SolverSearch, ListsByNameTheFirstWins)
   EXPECT_EQ(all[2].File, this->Root / "one/toy.json");
 }
 
+TEST_F(SolverSearch, TheBundledSolverComesFirst)
+{
+  pemesh::WriteTextFile(
+    this->Root / "two/last.json", R"({"name": "pemesh-vem", "command": ["x"]})");
+  const std::vector<pemesh::FoundSolver> all = pemesh::ListSolvers(this->Folders);
+  ASSERT_EQ(all.size(), 4u);
+  EXPECT_EQ(all[0].Description.Name, "pemesh-vem");
+  EXPECT_EQ(all[1].Description.Name, "alpha");
+}
+
 TEST_F(SolverSearch, FindsByNameAndByFile)
 {
   EXPECT_EQ(pemesh::FindSolver("alpha", {}, this->Folders).Folder, this->Root / "two");
