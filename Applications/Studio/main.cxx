@@ -3,6 +3,7 @@
 #include "Appearance.h"
 #include "Session.h"
 #include "StudioWindow.h"
+#include "Translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -16,6 +17,7 @@ int main(int argc, char* argv[])
   QApplication::setApplicationName(QStringLiteral("pemesh-studio"));
   QApplication::setApplicationDisplayName(QStringLiteral("PEMesh Studio"));
   QApplication::setApplicationVersion(QStringLiteral(PEMESH_VERSION));
+  pemesh::InstallTranslations(application);
   QCommandLineParser parser;
   parser.setApplicationDescription(QApplication::translate("main",
     "Makes families of polygonal meshes, measures them, solves on them, and shows what "
