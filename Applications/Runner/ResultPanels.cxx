@@ -4,6 +4,7 @@
 
 #include "ChartKinds.h"
 #include "ColumnLabels.h"
+#include "ColumnRoles.h"
 #include "MetricRegistry.h"
 #include "NumberText.h"
 #include "PolygonFamilies.h"
@@ -13,7 +14,6 @@
 
 #include <stdexcept>
 
-#include <vtkDataArray.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
 
@@ -26,15 +26,8 @@ namespace
 /** All columns of numbers but the index. */
 std::vector<std::string> ColumnsOfNumbers(vtkTable* table)
 {
-  std::vector<std::string> names;
-  for (vtkIdType i = 0; table && i < table->GetNumberOfColumns(); ++i)
-  {
-    const std::string name = table->GetColumnName(i);
-    if (vtkDataArray::SafeDownCast(table->GetColumn(i)) && name != "Index" && name != "Element")
-    {
-      names.push_back(name);
-    }
-  }
+  std::vector<std::string> names = table ? NumericColumns(table) : std::vector<std::string>();
+  std::erase_if(names, [](const std::string& n) { return n == "Index" || n == "Element"; });
   return names;
 }
 

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <atomic>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 #include <vtkCommand.h>
@@ -41,6 +42,7 @@ public:
 
   void Forget();
   void LoadStudy();
+  void SelectCases();
   void RunCases();
   void SaveResults();
   void Correlate();
@@ -56,6 +58,7 @@ public:
   int NumberOfWorkers = 0;
   bool MeshesOnly = false;
   bool Resume = false;
+  std::vector<int> SelectedCases;
   int Retries = 0;
   double SolverMemory = 0.0;
   std::vector<std::string> MeshFormats;
@@ -65,6 +68,7 @@ public:
   fs::path Output;
   std::vector<pemesh::SolverDescription> Solvers;
   std::vector<pemesh::StudyCase> Cases;
+  std::vector<pemesh::StudyCase> CasesToDo;
   std::unique_ptr<pemesh::StudyJournal> Journal;
   std::unique_ptr<pemesh::StudyResults> Results;
   std::unique_ptr<pemesh::StudyFigures> Figures;
@@ -139,13 +143,32 @@ void vtkPEMRunner::Internals::LoadStudy()
   pemesh::CheckStudyFolder(this->Output);
 }
 
+void vtkPEMRunner::Internals::SelectCases()
+{
+  const std::set<int> selected(this->SelectedCases.begin(), this->SelectedCases.end());
+  this->CasesToDo.clear();
+  for (const pemesh::StudyCase& studyCase : this->Cases)
+  {
+    if (selected.empty() || selected.count(studyCase.Index) > 0)
+    {
+      this->CasesToDo.push_back(studyCase);
+    }
+  }
+  if (!selected.empty() && this->CasesToDo.size() < selected.size())
+  {
+    throw std::runtime_error("There is no mesh " +
+      std::to_string(*selected.begin() < 0 ? *selected.begin() : *selected.rbegin()) +
+      ": the study has " + std::to_string(this->Cases.size()) + ", counted from 0.");
+  }
+}
+
 void vtkPEMRunner::Internals::RunCases()
 {
   const pemesh::StudyExecution::Options options{ this->Output,
     this->MeshesOnly ? this->Output : this->Output / "meshes", this->NumberOfWorkers, this->Resume,
     this->Retries, this->SolverMemory, !this->MeshesOnly };
   pemesh::StudyExecution execution(
-    this->Study, this->Solvers, this->Cases, options, *this->Journal, this->Stop);
+    this->Study, this->Solvers, this->CasesToDo, options, *this->Journal, this->Stop);
   const auto report = [this](double fraction, const std::vector<std::string>& lines)
   {
     for (std::string line : lines)
@@ -209,6 +232,7 @@ bool vtkPEMRunner::Run()
   try
   {
     run.LoadStudy();
+    run.SelectCases();
     run.Journal = std::make_unique<pemesh::StudyJournal>(
       run.Output / "journal.tsv", run.Resume, run.Cases.size());
     pemesh::RemoveStaleFiles(run.Output, run.Study, run.Cases, run.Resume);
@@ -237,10 +261,11 @@ bool vtkPEMRunner::Run()
   }
   run.Journal.reset(); // others may go on from it
   const vtkIdType rows = run.Results->GetResults()->GetNumberOfRows();
-  if (rows < static_cast<vtkIdType>(run.Cases.size()))
+  if (rows < static_cast<vtkIdType>(run.CasesToDo.size()))
   {
     run.Messages.push_back("Stopped after " + std::to_string(rows) + " of " +
-      std::to_string(run.Cases.size()) + " meshes; what was done is saved, and --resume goes on.");
+      std::to_string(run.CasesToDo.size()) +
+      " meshes; what was done is saved, and --resume goes on.");
   }
   return run.Messages.empty();
 }
@@ -309,6 +334,17 @@ void vtkPEMRunner::SetResume(bool resume)
 bool vtkPEMRunner::GetResume() const
 {
   return this->Implementation->Resume;
+}
+
+void vtkPEMRunner::SetSelectedCases(const std::vector<int>& cases)
+{
+  this->Implementation->SelectedCases = cases;
+  this->Modified();
+}
+
+std::vector<int> vtkPEMRunner::GetSelectedCases() const
+{
+  return this->Implementation->SelectedCases;
 }
 
 void vtkPEMRunner::SetRetries(int retries)
@@ -403,6 +439,7 @@ void vtkPEMRunner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "OutputDirectory: " << this->GetOutputDirectory() << "\n";
   os << indent << "NumberOfWorkers: " << run.NumberOfWorkers << "\n";
   os << indent << "Resume: " << run.Resume << "\n";
+  os << indent << "SelectedCases: " << run.SelectedCases.size() << "\n";
   os << indent << "SolverMemory: " << run.SolverMemory << "\n";
   os << indent << "Retries: " << run.Retries << "\n";
   os << indent << "MeshesOnly: " << run.MeshesOnly << "\n";

@@ -107,6 +107,15 @@ public:
   ///@}
 
   ///@{
+  /**
+   * The cases that are done, by their numbers from 0; the others are left out of the results. None
+   * (default): all.
+   */
+  void SetSelectedCases(const std::vector<int>& cases);
+  std::vector<int> GetSelectedCases() const;
+  ///@}
+
+  ///@{
   /** How often a solver is tried again on a mesh where it has failed. Default 0. */
   void SetRetries(int retries);
   int GetRetries() const;

@@ -4,7 +4,6 @@
 
 #include "ColorMaps.h"
 #include "ColumnRoles.h"
-#include "Findings.h"
 
 #include <QBrush>
 

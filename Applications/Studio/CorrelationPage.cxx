@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "CorrelationPage.h"
 
+#include "ChartOptions.h"
 #include "ColumnLabels.h"
+#include "ColumnRoles.h"
 #include "CorrelationModel.h"
 #include "EmptyState.h"
-#include "Findings.h"
 #include "Icons.h"
 #include "PanelView.h"
 #include "ResultPanels.h"
@@ -24,20 +25,39 @@
 #include <QStackedWidget>
 #include <QTabWidget>
 #include <QTableView>
-#include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <vtkTable.h>
+#include <vtkVariant.h>
 
 namespace pemesh
 {
 
 namespace
 {
-constexpr int MostFindings = 300;
 constexpr int XRole = Qt::UserRole;
 constexpr int YRole = Qt::UserRole + 1;
+constexpr const char* FitOption = "fit";
+
+/** The curves that charts can fit. */
+QStringList FitChoices()
+{
+  QStringList choices;
+  for (const auto& field : ChartOptionFields())
+  {
+    if (field.Name == FitOption)
+    {
+      for (const std::string& choice : field.Choices)
+      {
+        choices << QString::fromStdString(choice);
+      }
+    }
+  }
+  return choices;
 }
+
+} // namespace
 
 CorrelationPage::CorrelationPage(ResultSet* results, Selection* selection, QWidget* parent)
   : QWidget(parent)
@@ -81,48 +101,61 @@ CorrelationPage::CorrelationPage(ResultSet* results, Selection* selection, QWidg
         emit this->Told(tr("%1: double click to see the mesh").arg(pick.Text.c_str()));
       }
     });
-  connect(selection, &Selection::CaseChanged, this,
-    [this](int index)
-    {
-      this->Chart->SetHighlightedRows(
-        index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
-    });
+  connect(this->Chart, &PanelView::RowsSelected, this,
+    [this](int, const std::vector<vtkIdType>& rows) { this->Selected->MarkCases(rows); });
+  connect(selection, &Selection::CasesMarked, this,
+    [this] { this->Chart->SetHighlightedRows(this->Selected->GetMarkedCases()); });
   this->ShowResults();
 }
 
 QWidget* CorrelationPage::MakeBar()
 {
-  auto* bar = new QToolBar(this);
-  bar->setIconSize({ 18, 18 });
-  const auto addBox = [this, bar](const QString& text)
+  auto* bar = new QFrame(this);
+  bar->setObjectName(QStringLiteral("barAbove"));
+  auto* line = new QHBoxLayout(bar);
+  line->setContentsMargins(12, 6, 8, 6);
+  const auto addBox = [this, bar, line](const QString& text, int stretch)
   {
-    bar->addWidget(new QLabel(text, bar));
+    auto* label = new QLabel(text, bar);
     auto* box = new QComboBox(bar);
+    label->setBuddy(box);
     box->setMaxVisibleItems(30);
-    box->setMinimumWidth(190);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(9);
     box->setAccessibleName(text);
-    bar->addWidget(box);
+    line->addWidget(label);
+    line->addWidget(box, stretch);
     connect(box, &QComboBox::currentTextChanged, this, &CorrelationPage::ShowChart);
+    connect(box, &QComboBox::activated, this, [this] { this->IsChosen = true; });
     return box;
   };
-  const auto addLog = [this, bar](const QString& tip)
+  const auto addLog = [this, bar, line](const QString& tip)
   {
-    QAction* action = bar->addAction(tr("log"));
-    action->setCheckable(true);
-    action->setToolTip(tip);
-    connect(action, &QAction::toggled, this, &CorrelationPage::ShowChart);
-    return action;
+    auto* button = new QToolButton(bar);
+    button->setText(tr("log"));
+    button->setCheckable(true);
+    button->setToolTip(tip);
+    button->setAccessibleName(tip);
+    line->addWidget(button);
+    connect(button, &QToolButton::toggled, this, &CorrelationPage::ShowChart);
+    return button;
   };
-  this->X = addBox(tr("X "));
+  this->X = addBox(tr("X"), 1);
   this->LogX = addLog(tr("Logarithmic x axis"));
-  this->Y = addBox(tr("  Y "));
+  this->Y = addBox(tr("Y"), 1);
   this->LogY = addLog(tr("Logarithmic y axis"));
-  this->Color = addBox(tr("  Colour "));
-  auto* space = new QWidget(bar);
-  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(space);
-  QAction* save = bar->addAction(MakeIcon("export"), tr("Export the chart"));
-  connect(save, &QAction::triggered, this, [this] { this->Chart->ExportAs(); });
+  this->Color = addBox(tr("Colour"), 1);
+  this->Fit = addBox(tr("Fit"), 0);
+  {
+    const QSignalBlocker blocker(this->Fit);
+    this->Fit->addItems(FitChoices());
+  }
+  auto* save = new QToolButton(bar);
+  save->setIcon(MakeIcon("export"));
+  save->setToolTip(tr("Export the chart"));
+  save->setAccessibleName(tr("Export the chart"));
+  line->addWidget(save);
+  connect(save, &QToolButton::clicked, this, [this] { this->Chart->ExportAs(); });
   return bar;
 }
 
@@ -151,12 +184,19 @@ QWidget* CorrelationPage::MakeSide()
   box->setContentsMargins(12, 0, 12, 0);
   box->addWidget(this->Filter);
   column->addLayout(box);
+  this->NoFindings = new QLabel(words);
+  this->NoFindings->setObjectName(QStringLiteral("emptyText"));
+  this->NoFindings->setAlignment(Qt::AlignCenter);
+  this->NoFindings->setWordWrap(true);
+  this->NoFindings->setMargin(24);
   column->addWidget(this->Findings, 1);
+  column->addWidget(this->NoFindings, 1);
   this->Matrix = new CorrelationModel(this);
   auto* matrix = new QTableView(tabs);
   matrix->setModel(this->Matrix);
   matrix->horizontalHeader()->setDefaultSectionSize(74);
   matrix->verticalHeader()->setDefaultSectionSize(22);
+  matrix->setTabKeyNavigation(false);
   matrix->setAccessibleName(tr("Matrix of correlations"));
   connect(matrix, &QTableView::clicked, this,
     [this](const QModelIndex& index)
@@ -167,10 +207,12 @@ QWidget* CorrelationPage::MakeSide()
   tabs->addTab(words, tr("Strongest relations"));
   tabs->addTab(matrix, tr("Matrix"));
   connect(this->Filter, &QLineEdit::textChanged, this, &CorrelationPage::ShowFindings);
+  connect(this->Findings, &QListWidget::itemClicked, this, [this] { this->IsChosen = true; });
+  connect(matrix, &QTableView::clicked, this, [this] { this->IsChosen = true; });
   connect(this->Findings, &QListWidget::currentItemChanged, this,
     [this](QListWidgetItem* item)
     {
-      if (item)
+      if (item && item->data(XRole).isValid())
       {
         this->SetColumns(item->data(XRole).toString(), item->data(YRole).toString());
       }
@@ -182,6 +224,7 @@ void CorrelationPage::SetColumns(const QString& x, const QString& y)
 {
   {
     const QSignalBlocker blockX(this->X);
+    const QSignalBlocker blockY(this->Y);
     this->X->setCurrentText(x);
     this->Y->setCurrentText(y);
   }
@@ -192,27 +235,43 @@ void CorrelationPage::ShowResults()
 {
   const bool isEmpty = this->Results->IsEmpty();
   this->Stack->setCurrentIndex(isEmpty ? 0 : 1);
+  this->IsChosen = this->IsChosen && !isEmpty;
   const QStringList columns = this->Results->GetNumberColumns();
   for (QComboBox* box : { this->X, this->Y, this->Color })
   {
     const QSignalBlocker blocker(box);
     const QString before = box->currentText();
     box->clear();
-    box->addItems(columns);
+    box->addItems(box == this->Color ? QStringList{ tr("none") } + columns : columns);
     box->setCurrentText(before);
-  }
-  {
-    const QSignalBlocker blocker(this->Color);
-    this->Color->insertItem(0, QString());
-    this->Color->setCurrentIndex(0);
   }
   this->Matrix->SetTable(this->Results->GetCorrelation());
   this->ShowFindings();
-  if (this->Findings->count() > 0)
+  if (!this->IsChosen)
   {
-    this->Findings->setCurrentRow(0);
+    this->ChooseColumns();
   }
   this->ShowChart();
+}
+
+/** The first finding; while there is none, the metric that is looked at and a performance. */
+void CorrelationPage::ChooseColumns()
+{
+  for (int row = 0; row < this->Findings->count(); ++row)
+  {
+    if (this->Findings->item(row)->flags() & Qt::ItemIsSelectable)
+    {
+      this->Findings->setCurrentRow(row);
+      return;
+    }
+  }
+  if (vtkTable* table = this->Results->GetTable())
+  {
+    const std::vector<std::string> performances = PerformanceColumns(table);
+    this->SetColumns(this->Selected->GetMetric() + QStringLiteral("_min"),
+      performances.empty() ? this->Selected->GetMetric() + QStringLiteral("_max")
+                           : QString::fromStdString(performances.front()));
+  }
 }
 
 void CorrelationPage::ShowChart()
@@ -226,35 +285,69 @@ void CorrelationPage::ShowChart()
   plot.Kind = "scatter";
   plot.X = this->X->currentText().toStdString();
   plot.Y = { this->Y->currentText().toStdString() };
-  plot.ColorBy = this->Color->currentText().toStdString();
+  plot.ColorBy =
+    this->Color->currentIndex() > 0 ? this->Color->currentText().toStdString() : std::string();
   plot.Log = std::string(this->LogX->isChecked() ? "x" : "") + (this->LogY->isChecked() ? "y" : "");
+  if (this->Fit->currentIndex() > 0)
+  {
+    plot.Options[FitOption] = this->Fit->currentText().toStdString();
+  }
   this->Chart->SetMaker([plot, table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
                           labels = this->Results->GetLabels()]
     { return PanelList{ MakeResultChart(plot, table, *labels) }; });
 }
 
+/** What a person reads and does not choose. */
+void CorrelationPage::AddWords(const QString& text, bool isHeading)
+{
+  auto* item = new QListWidgetItem(text, this->Findings);
+  item->setFlags(Qt::NoItemFlags);
+  QFont font = item->font();
+  font.setBold(isHeading);
+  item->setFont(font);
+}
+
+/** As the run wrote them: by performance, the metric that goes with it best first. */
 void CorrelationPage::ShowFindings()
 {
   const QSignalBlocker blocker(this->Findings);
   this->Findings->clear();
+  vtkTable* findings = this->Results->GetFindings();
   const QString wanted = this->Filter->text();
-  for (const Finding& finding :
-    RankFindings(this->Results->GetCorrelation(), *this->Results->GetLabels()))
+  const auto cell = [findings](vtkIdType row, const char* column)
+  { return QString::fromStdString(findings->GetValueByName(row, column).ToString()); };
+  QString performance;
+  for (vtkIdType row = 0; findings && row < findings->GetNumberOfRows(); ++row)
   {
-    const QString text = QString::fromStdString(finding.Sentence);
-    if (!wanted.isEmpty() && !text.contains(wanted, Qt::CaseInsensitive))
+    const QString sentence = cell(row, "Sentence");
+    const QString title = QString::fromStdString(
+      this->Results->GetLabels()->Title(cell(row, "Performance").toStdString()));
+    const bool isWanted = wanted.isEmpty() || sentence.contains(wanted, Qt::CaseInsensitive) ||
+      title.contains(wanted, Qt::CaseInsensitive);
+    if (findings->GetValueByName(row, "Rank").ToInt() == 0 || !isWanted)
     {
       continue;
     }
-    auto* item = new QListWidgetItem(text, this->Findings);
-    item->setData(XRole, QString::fromStdString(finding.X));
-    item->setData(YRole, QString::fromStdString(finding.Y));
-    item->setToolTip(QString::fromStdString(finding.X + " – " + finding.Y));
-    if (this->Findings->count() >= MostFindings)
+    if (cell(row, "Performance") != performance)
     {
-      break;
+      performance = cell(row, "Performance");
+      this->AddWords(title, true);
+      this->AddWords(cell(row, "Joint"), false);
     }
+    auto* item =
+      new QListWidgetItem(cell(row, "Rank") + QStringLiteral(". ") + sentence, this->Findings);
+    item->setData(XRole, cell(row, "Metric"));
+    item->setData(YRole, performance);
+    item->setToolTip(
+      QString::fromStdString(this->Results->GetLabels()->Title(cell(row, "Metric").toStdString())));
   }
+  const bool isEmpty = this->Findings->count() == 0;
+  this->NoFindings->setVisible(isEmpty);
+  this->Findings->setVisible(!isEmpty);
+  this->NoFindings->setText(!wanted.isEmpty()
+      ? tr("No relation mentions \"%1\".").arg(wanted)
+      : tr("There is nothing to say yet: relations are found between the metrics of three meshes "
+           "or more and the performances of a solver."));
 }
 
 } // namespace pemesh

@@ -9,11 +9,12 @@
 
 #include <QWidget>
 
-class QAction;
 class QComboBox;
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QStackedWidget;
+class QToolButton;
 
 namespace pemesh
 {
@@ -31,6 +32,7 @@ public:
 
   PanelView* GetChart() const { return this->Chart; }
   QListWidget* GetFindings() const { return this->Findings; }
+  QComboBox* GetFit() const { return this->Fit; }
   void SetColumns(const QString& x, const QString& y);
 
 signals:
@@ -45,6 +47,8 @@ private:
   void ShowResults();
   void ShowChart();
   void ShowFindings();
+  void AddWords(const QString& text, bool isHeading);
+  void ChooseColumns();
 
   ResultSet* Results;
   Selection* Selected;
@@ -52,12 +56,15 @@ private:
   QComboBox* X = nullptr;
   QComboBox* Y = nullptr;
   QComboBox* Color = nullptr;
-  QAction* LogX = nullptr;
-  QAction* LogY = nullptr;
+  QComboBox* Fit = nullptr;
+  QToolButton* LogX = nullptr;
+  QToolButton* LogY = nullptr;
   PanelView* Chart = nullptr;
   QLineEdit* Filter = nullptr;
   QListWidget* Findings = nullptr;
+  QLabel* NoFindings = nullptr;
   CorrelationModel* Matrix = nullptr;
+  bool IsChosen = false; // by the user what is set against what
 };
 
 } // namespace pemesh

@@ -2,18 +2,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ElementTableModel.h"
 
+#include "Appearance.h"
+#include "ArrayValues.h"
 #include "LatestJob.h"
 #include "MetricRegistry.h"
+
+#include <QBrush>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 #include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkPolyData.h>
 
 namespace pemesh
 {
+
+namespace
+{
+
+/** The elements in order of a metric (none: of their numbers), those without a value last. */
+std::vector<vtkIdType> SortElements(
+  const MeshPicture& picture, const std::string& metric, Qt::SortOrder order)
+{
+  std::vector<vtkIdType> rows(static_cast<std::size_t>(picture.GetNumberOfElements()));
+  std::iota(rows.begin(), rows.end(), vtkIdType{ 0 });
+  vtkDataArray* values = picture.GetMesh()->GetCellData()->GetArray(metric.c_str());
+  std::vector<double> keys(rows.begin(), rows.end());
+  for (std::size_t i = 0; i < keys.size(); ++i)
+  {
+    const double key = values ? ValueOf(values, rows[i]) : keys[i];
+    keys[i] = std::isnan(key) ? INFINITY : order == Qt::DescendingOrder ? -key : key;
+  }
+  std::stable_sort(rows.begin(), rows.end(),
+    [&keys](vtkIdType a, vtkIdType b)
+    { return keys[static_cast<std::size_t>(a)] < keys[static_cast<std::size_t>(b)]; });
+  return rows;
+}
+
+std::vector<vtkIdType> Inverse(const std::vector<vtkIdType>& permutation)
+{
+  std::vector<vtkIdType> inverse(permutation.size());
+  for (std::size_t i = 0; i < permutation.size(); ++i)
+  {
+    inverse[static_cast<std::size_t>(permutation[i])] = static_cast<vtkIdType>(i);
+  }
+  return inverse;
+}
+
+} // namespace
 
 ElementTableModel::ElementTableModel(QObject* parent)
   : QAbstractTableModel(parent)
@@ -34,7 +73,9 @@ void ElementTableModel::SetPicture(const MeshPicturePointer& picture)
   }
   this->beginResetModel();
   this->Picture = picture;
+  this->Marked.clear();
   this->Rows.clear();
+  this->RowsOfElements.clear();
   this->Columns.clear();
   for (const Metric& metric : Metrics())
   {
@@ -45,6 +86,24 @@ void ElementTableModel::SetPicture(const MeshPicturePointer& picture)
   }
   this->endResetModel();
   this->sort(this->SortColumn, this->SortOrder);
+}
+
+void ElementTableModel::SetMarked(const std::vector<vtkIdType>& elements)
+{
+  const auto count = static_cast<std::size_t>(this->rowCount());
+  this->Marked.assign(count, false);
+  for (const vtkIdType element : elements)
+  {
+    if (element < static_cast<vtkIdType>(count))
+    {
+      this->Marked[static_cast<std::size_t>(element)] = true;
+    }
+  }
+  if (count > 0)
+  {
+    emit this->dataChanged(this->index(0, 0),
+      this->index(this->rowCount() - 1, this->columnCount() - 1), { Qt::BackgroundRole });
+  }
 }
 
 qint64 ElementTableModel::GetElement(int row) const
@@ -62,8 +121,9 @@ int ElementTableModel::FindRow(qint64 element) const
   {
     return -1;
   }
-  const auto found = std::find(this->Rows.begin(), this->Rows.end(), element);
-  return static_cast<int>(this->Rows.empty() ? element : found - this->Rows.begin());
+  return static_cast<int>(this->RowsOfElements.empty()
+      ? element
+      : this->RowsOfElements[static_cast<std::size_t>(element)]);
 }
 
 int ElementTableModel::FindColumn(const QString& metric) const
@@ -103,11 +163,17 @@ QVariant ElementTableModel::data(const QModelIndex& index, int role) const
   {
     return QVariant::fromValue(Qt::Alignment(Qt::AlignRight | Qt::AlignVCenter));
   }
+  const qint64 element = this->GetElement(index.row());
+  if (role == Qt::BackgroundRole && element >= 0 &&
+    element < static_cast<qint64>(this->Marked.size()) &&
+    this->Marked[static_cast<std::size_t>(element)])
+  {
+    return QBrush(CurrentTheme().AccentSoft);
+  }
   if (role != Qt::DisplayRole || !index.isValid())
   {
     return {};
   }
-  const qint64 element = this->GetElement(index.row());
   if (index.column() == 0)
   {
     return element;
@@ -150,29 +216,38 @@ void ElementTableModel::sort(int column, Qt::SortOrder order)
     [this, picture = this->Picture, name = metric.toStdString(), order](
       const std::atomic<bool>&) -> LatestJob::Delivery
     {
-      std::vector<vtkIdType> rows(static_cast<std::size_t>(picture->GetNumberOfElements()));
-      std::iota(rows.begin(), rows.end(), vtkIdType{ 0 });
-      const bool down = order == Qt::DescendingOrder;
-      // NaN last in either order
-      const auto key = [&](vtkIdType element)
-      {
-        const double value =
-          name.empty() ? static_cast<double>(element) : picture->GetValue(name, element);
-        return std::isnan(value) ? INFINITY : down ? -value : value;
-      };
-      std::stable_sort(
-        rows.begin(), rows.end(), [&key](vtkIdType a, vtkIdType b) { return key(a) < key(b); });
-      return [this, picture, rows]
+      const std::vector<vtkIdType> rows = SortElements(*picture, name, order);
+      return [this, picture, rows, inverse = Inverse(rows)]
       {
         if (this->Picture == picture)
         {
-          emit this->layoutAboutToBeChanged();
-          this->Rows = rows;
-          emit this->layoutChanged();
-          emit this->Sorted();
+          this->Arrange(rows, inverse);
         }
       };
     });
+}
+
+/** What is selected or current stays with its element. */
+void ElementTableModel::Arrange(
+  const std::vector<vtkIdType>& rows, const std::vector<vtkIdType>& rowsOfElements)
+{
+  emit this->layoutAboutToBeChanged({}, QAbstractItemModel::VerticalSortHint);
+  const QModelIndexList before = this->persistentIndexList();
+  std::vector<qint64> elements;
+  for (const QModelIndex& index : before)
+  {
+    elements.push_back(this->GetElement(index.row()));
+  }
+  this->Rows = rows;
+  this->RowsOfElements = rowsOfElements;
+  QModelIndexList after;
+  for (qsizetype i = 0; i < before.size(); ++i)
+  {
+    after << this->index(this->FindRow(elements[static_cast<std::size_t>(i)]), before[i].column());
+  }
+  this->changePersistentIndexList(before, after);
+  emit this->layoutChanged({}, QAbstractItemModel::VerticalSortHint);
+  emit this->Sorted();
 }
 
 } // namespace pemesh

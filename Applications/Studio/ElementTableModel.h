@@ -27,6 +27,8 @@ public:
   ~ElementTableModel() override;
 
   void SetPicture(const MeshPicturePointer& picture);
+  /** Elements that stand out. */
+  void SetMarked(const std::vector<vtkIdType>& elements);
   /** The element of a row, and the row of an element (or -1). */
   qint64 GetElement(int row) const;
   int FindRow(qint64 element) const;
@@ -45,9 +47,13 @@ signals:
   void Sorted();
 
 private:
+  void Arrange(const std::vector<vtkIdType>& rows, const std::vector<vtkIdType>& rowsOfElements);
+
   MeshPicturePointer Picture;
   std::vector<const Metric*> Columns;
-  std::vector<vtkIdType> Rows; // the elements in order; empty: by number
+  std::vector<vtkIdType> Rows;           // the elements in order; empty: by number
+  std::vector<vtkIdType> RowsOfElements; // the other way round
+  std::vector<bool> Marked;              // of the elements
   int SortColumn = -1;
   Qt::SortOrder SortOrder = Qt::AscendingOrder;
   LatestJob* SortJob;

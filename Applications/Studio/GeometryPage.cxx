@@ -4,11 +4,11 @@
 
 #include "ColumnLabels.h"
 #include "ElementTableModel.h"
-#include "EmptyState.h"
 #include "GeometryPanels.h"
 #include "Icons.h"
 #include "LatestJob.h"
 #include "MeshCanvas.h"
+#include "MetricCharts.h"
 #include "MetricRegistry.h"
 #include "PanelView.h"
 #include "ResultPanels.h"
@@ -26,7 +26,6 @@
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QStackedWidget>
@@ -35,7 +34,6 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 #include <vtkTable.h>
 
@@ -45,9 +43,7 @@ namespace pemesh
 namespace
 {
 
-constexpr int MultipleColumns = 4;
-constexpr int ChartHeight = 190;
-constexpr double ChartFont = 10.0;
+constexpr int LeastColumn = 92; // pixels
 
 QString TipOf(const Metric& metric)
 {
@@ -90,6 +86,7 @@ GeometryPage::GeometryPage(
   connect(results, &ResultSet::PictureChanged, this, &GeometryPage::ShowPicture);
   connect(selection, &Selection::CaseChanged, this, &GeometryPage::ShowCase);
   connect(selection, &Selection::ElementChanged, this, &GeometryPage::ShowElement);
+  connect(selection, &Selection::ElementsMarked, this, &GeometryPage::ShowMarks);
   connect(selection, &Selection::MetricChanged, this->Metric, &QComboBox::setCurrentText);
   this->ShowView(0);
   this->ShowResults();
@@ -130,10 +127,14 @@ void GeometryPage::MakeBar(QToolBar* bar)
   QAction* label = bar->addWidget(new QLabel(tr(" against "), bar));
   QAction* box = bar->addWidget(this->Against);
   connect(this->Views, &QStackedWidget::currentChanged, this,
-    [label, box](int view)
+    [this, label, box](int view)
     {
       label->setVisible(view == 2);
       box->setVisible(view == 2);
+      for (QAction* action : { this->Marked, this->FixedScale, this->LogScale })
+      {
+        action->setVisible(view == 0);
+      }
     });
   label->setVisible(false);
   box->setVisible(false);
@@ -174,43 +175,22 @@ QWidget* GeometryPage::MakeViews()
   this->Canvas = new MeshCanvas(this->Views);
   this->Canvas->SetHint(tr("There is no mesh: place polygons on the page Mesh, or open meshes."));
   connect(this->Canvas, &MeshCanvas::ElementClicked, this->Selected, &Selection::SetElement);
+  connect(this->Canvas, &MeshCanvas::ElementsMarked, this->Selected, &Selection::MarkElements);
   this->Views->addWidget(this->Canvas);
 
-  this->ChartStack = new QStackedWidget(this->Views);
-  auto* empty = new EmptyState("grid", tr("All metrics over the data set"),
-    tr("Run the study to measure every mesh of it. The charts then show the smallest, mean and "
-       "largest value of each metric."),
-    tr("Run the study"), this->ChartStack);
-  connect(empty, &EmptyState::Clicked, this, &GeometryPage::RunWanted);
-  this->Charts = new PanelView(this->ChartStack);
-  this->Charts->SetFontSize(ChartFont);
-  auto* scroll = new QScrollArea(this->ChartStack);
-  scroll->setWidget(this->Charts);
-  scroll->setWidgetResizable(true);
-  this->ChartStack->addWidget(empty);
-  this->ChartStack->addWidget(scroll);
-  this->Views->addWidget(this->ChartStack);
-  connect(this->Charts, &PanelView::DoubleClicked, this, &GeometryPage::Detach);
-  connect(this->Charts, &PanelView::Picked, this,
-    [this](int panel, const ChartPick& pick)
-    {
-      this->Metric->setCurrentText(this->Results->GetMetrics().value(panel));
-      if (pick.Row >= 0)
-      {
-        this->Selected->SetCase(static_cast<int>(pick.Row));
-        emit this->Told(QString::fromStdString(pick.Text));
-      }
-    });
+  this->Charts = new MetricCharts(this->Results, this->Selected, this->Views);
+  this->Views->addWidget(this->Charts);
+  connect(this->Charts, &MetricCharts::RunWanted, this, &GeometryPage::RunWanted);
+  connect(this->Charts, &MetricCharts::Told, this, &GeometryPage::Told);
 
-  auto* scatter = new QWidget(this->Views);
-  auto* column = new QVBoxLayout(scatter);
-  column->setContentsMargins(0, 0, 0, 0);
-  this->Scatter = new PanelView(scatter);
+  this->Scatter = new PanelView(this->Views);
   this->Scatter->SetHint(tr("There is no mesh with metrics to show."));
-  column->addWidget(this->Scatter, 1);
-  this->Views->addWidget(scatter);
+  this->Scatter->setAccessibleName(tr("Metric against metric"));
+  this->Views->addWidget(this->Scatter);
   connect(this->Scatter, &PanelView::Picked, this,
     [this](int, const ChartPick& pick) { this->Selected->SetElement(pick.Row); });
+  connect(this->Scatter, &PanelView::RowsSelected, this,
+    [this](int, const std::vector<vtkIdType>& rows) { this->Selected->MarkElements(rows); });
   return this->Views;
 }
 
@@ -228,13 +208,14 @@ QWidget* GeometryPage::MakeSide()
   this->Table = new QTableView(panel);
   this->Table->setModel(this->Elements);
   this->Table->setSortingEnabled(true);
+  this->Table->sortByColumn(0, Qt::AscendingOrder);
   this->Table->setSelectionBehavior(QAbstractItemView::SelectRows);
   this->Table->setSelectionMode(QAbstractItemView::SingleSelection);
   this->Table->verticalHeader()->hide();
   this->Table->verticalHeader()->setDefaultSectionSize(22);
-  this->Table->horizontalHeader()->setDefaultSectionSize(118);
   this->Table->setAlternatingRowColors(true);
   this->Table->setAccessibleName(tr("Elements"));
+  this->Table->setTabKeyNavigation(false);
   layout->addWidget(this->Table, 1);
   connect(this->Table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
     [this](const QModelIndex& index)
@@ -253,8 +234,24 @@ QWidget* GeometryPage::MakeSide()
         this->Metric->setCurrentText(metric);
       }
     });
+  connect(this->Elements, &QAbstractItemModel::modelReset, this, &GeometryPage::FitColumns);
   connect(this->Elements, &ElementTableModel::Sorted, this->Table, &QAbstractItemView::scrollToTop);
   return panel;
+}
+
+/** To their titles; the numbers below are short. */
+void GeometryPage::FitColumns()
+{
+  QHeaderView* header = this->Table->horizontalHeader();
+  QFont bold = header->font();
+  bold.setBold(true);
+  const QFontMetrics metrics(bold);
+  for (int column = 0; column < this->Elements->columnCount(); ++column)
+  {
+    const QString title =
+      this->Elements->headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    header->resizeSection(column, std::max(LeastColumn, metrics.horizontalAdvance(title) + 34));
+  }
 }
 
 QString GeometryPage::GetMetric() const
@@ -293,7 +290,6 @@ void GeometryPage::ShowResults()
   this->Source->setText(
     isEmpty ? tr("Preview of the study") : tr("Results in %1").arg(QDir(folder).dirName()));
   this->Source->setToolTip(isEmpty ? QString() : folder);
-  this->ChartStack->setCurrentIndex(isEmpty ? 0 : 1);
   if (!isEmpty)
   {
     const int count = this->Results->GetNumberOfCases();
@@ -301,7 +297,6 @@ void GeometryPage::ShowResults()
     this->Selected->SetCase(wanted >= 0 && wanted < count ? wanted : count - 1);
     this->ShowCase(this->Selected->GetCase());
   }
-  this->ShowCharts();
   this->ShowPicture();
 }
 
@@ -310,8 +305,6 @@ void GeometryPage::ShowCase(int index)
   this->Cases->SetPlace(index);
   this->Cases->SetText(this->Results->GetMeshName(index));
   this->Results->ShowCase(index);
-  this->Charts->SetHighlightedRows(
-    index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
 }
 
 void GeometryPage::ShowPicture()
@@ -329,6 +322,7 @@ void GeometryPage::ShowPicture()
   this->Canvas->SetPicture(picture);
   this->ShowMetric();
   this->ShowElement(this->Selected->GetElement());
+  this->ShowMarks();
   emit this->PictureShown(picture);
 }
 
@@ -351,36 +345,12 @@ void GeometryPage::ShowMetric()
   this->ShowScatter();
 }
 
-void GeometryPage::ShowCharts()
-{
-  if (this->Results->IsEmpty())
-  {
-    this->Charts->SetMaker({});
-    return;
-  }
-  const QStringList metrics = this->Results->GetMetrics();
-  const int rows = (static_cast<int>(metrics.size()) + MultipleColumns - 1) / MultipleColumns;
-  this->Charts->setMinimumHeight(rows * ChartHeight);
-  this->Charts->SetMaker(
-    [metrics, table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
-      labels = this->Results->GetLabels(), x = AbscissaOf(*this->Results->GetStudy())]
-    {
-      PanelList panels;
-      for (const QString& metric : metrics)
-      {
-        panels.push_back(MakeMetricChart(metric.toStdString(), x, table, *labels, true));
-      }
-      return panels;
-    },
-    MultipleColumns);
-}
-
 void GeometryPage::ShowScatter()
 {
   const MeshPicturePointer picture = this->GetPicture();
   const std::string y = this->GetMetric().toStdString();
   const std::string x = this->Against->currentText().toStdString();
-  if (!picture || std::isnan(picture->GetValue(y, 0)) || std::isnan(picture->GetValue(x, 0)))
+  if (!picture || !picture->HasArray(x) || !picture->HasArray(y))
   {
     this->Scatter->SetMaker({});
     return;
@@ -393,19 +363,13 @@ void GeometryPage::ShowScatter()
       plot.Kind = "scatter";
       plot.X = x;
       plot.Y = { y };
-      const vtkSmartPointer<vtkPEMChart> chart = MakeResultChart(plot, table, *labels);
-      chart->RemoveAllYColumns();
-      chart->AddYColumn(y, labels->Title(y));
-      chart->SetYTitle(labels->Title(y));
-      return PanelList{ chart };
+      return PanelList{ MakeResultChart(plot, table, *labels) };
     });
 }
 
 void GeometryPage::ShowElement(qint64 element)
 {
   this->Canvas->SetSelected(element);
-  this->Scatter->SetHighlightedRows(
-    element < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ element });
   const int row = this->Elements->FindRow(element);
   if (row >= 0 && this->Table->currentIndex().row() != row)
   {
@@ -414,11 +378,19 @@ void GeometryPage::ShowElement(qint64 element)
   }
 }
 
+void GeometryPage::ShowMarks()
+{
+  const std::vector<vtkIdType> marked = this->Selected->GetMarkedElements();
+  this->Canvas->SetMarked(marked);
+  this->Scatter->SetHighlightedRows(marked);
+  this->Elements->SetMarked(marked);
+}
+
 void GeometryPage::Export()
 {
   if (this->Views->currentIndex() > 0)
   {
-    (this->Views->currentIndex() == 1 ? this->Charts : this->Scatter)->ExportAs();
+    (this->Views->currentIndex() == 1 ? this->Charts->GetView() : this->Scatter)->ExportAs();
     return;
   }
   const QString file = QFileDialog::getSaveFileName(this, tr("Export the mesh"),
@@ -445,28 +417,6 @@ void GeometryPage::ExportMesh(const QString& file)
       return [this, fault, file]
       { emit this->Told(fault.isEmpty() ? tr("Written: %1").arg(file.c_str()) : fault); };
     });
-}
-
-/** One chart in a window of its own. */
-void GeometryPage::Detach(int panel)
-{
-  const QString metric = this->Results->GetMetrics().value(panel);
-  if (metric.isEmpty())
-  {
-    return;
-  }
-  auto* view = new PanelView(this);
-  view->setWindowFlag(Qt::Window);
-  view->setAttribute(Qt::WA_DeleteOnClose);
-  view->setObjectName(QStringLiteral("detached"));
-  view->setWindowTitle(metric);
-  view->SetFontSize(18.0);
-  view->SetMaker(
-    [metric = metric.toStdString(), table = vtkSmartPointer<vtkTable>(this->Results->GetTable()),
-      labels = this->Results->GetLabels(), x = AbscissaOf(*this->Results->GetStudy())]
-    { return PanelList{ MakeMetricChart(metric, x, table, *labels, false) }; });
-  connect(view, &PanelView::DoubleClicked, view, &QWidget::close);
-  view->showFullScreen();
 }
 
 } // namespace pemesh

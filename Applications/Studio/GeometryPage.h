@@ -24,8 +24,8 @@ namespace pemesh
 
 class ElementTableModel;
 class LatestJob;
-class EmptyState;
 class MeshCanvas;
+class MetricCharts;
 class PanelView;
 class ResultSet;
 class Selection;
@@ -41,7 +41,7 @@ public:
 
   MeshCanvas* GetCanvas() const { return this->Canvas; }
   QTableView* GetTable() const { return this->Table; }
-  PanelView* GetCharts() const { return this->Charts; }
+  MetricCharts* GetCharts() const { return this->Charts; }
   PanelView* GetScatter() const { return this->Scatter; }
   /** 0: mesh, 1: charts of all metrics, 2: scatter. */
   void ShowView(int view);
@@ -66,11 +66,11 @@ private:
   void ShowResults();
   void ShowPicture();
   void ShowMetric();
-  void ShowCharts();
   void ShowScatter();
   void ShowElement(qint64 element);
+  void ShowMarks();
+  void FitColumns();
   void ShowCase(int index);
-  void Detach(int panel);
   void Export();
   QString GetMetric() const;
 
@@ -85,9 +85,8 @@ private:
   QStackedWidget* Views = nullptr;
   QList<QAction*> ViewActions;
   MeshCanvas* Canvas = nullptr;
-  PanelView* Charts = nullptr;
+  MetricCharts* Charts = nullptr;
   PanelView* Scatter = nullptr;
-  QStackedWidget* ChartStack = nullptr;
   ElementTableModel* Elements = nullptr;
   QTableView* Table = nullptr;
   TimeBar* Cases = nullptr;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "GeometryPanels.h"
 
+#include "ArrayValues.h"
 #include "ColumnLabels.h"
 #include "CsvTable.h"
 #include "ResultPanels.h"
@@ -10,8 +11,15 @@
 #include "vtkPEMFigure.h"
 #include "vtkPEMMeshView.h"
 
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
+#include <vtkDataArray.h>
+#include <vtkIdList.h>
+#include <vtkIntArray.h>
 #include <vtkNew.h>
 #include <vtkPolyData.h>
 #include <vtkTable.h>
@@ -19,19 +27,70 @@
 namespace pemesh
 {
 
+namespace
+{
+constexpr const char* PlaceColumn = "Place"; // of a mesh in an order
+}
+
 std::string AbscissaOf(const Study& study)
 {
   return study.Sweep.size() == 1 ? study.Sweep.front().Name : "Index";
 }
 
-vtkSmartPointer<vtkPEMPanel> MakeMetricChart(const std::string& metric, const std::string& x,
-  vtkTable* table, const ColumnLabels& labels, bool isSmall)
+std::vector<vtkIdType> RowsInOrder(vtkTable* table, const std::string& column)
+{
+  std::vector<vtkIdType> rows(static_cast<std::size_t>(table->GetNumberOfRows()));
+  std::iota(rows.begin(), rows.end(), vtkIdType{ 0 });
+  if (auto* values = vtkDataArray::SafeDownCast(table->GetColumnByName(column.c_str())))
+  {
+    const auto key = [values](vtkIdType row)
+    {
+      const double value = ValueOf(values, row);
+      return std::isnan(value) ? INFINITY : value;
+    };
+    std::stable_sort(
+      rows.begin(), rows.end(), [&key](vtkIdType a, vtkIdType b) { return key(a) < key(b); });
+  }
+  return rows;
+}
+
+MetricChartTable MetricChartTable::Arrange() const
+{
+  if (this->Rows.empty())
+  {
+    return *this;
+  }
+  vtkNew<vtkIdList> rows;
+  vtkNew<vtkIntArray> places;
+  places->SetName(PlaceColumn);
+  for (const vtkIdType row : this->Rows)
+  {
+    rows->InsertNextId(row);
+    places->InsertNextValue(static_cast<int>(rows->GetNumberOfIds()));
+  }
+  vtkNew<vtkTable> arranged;
+  for (vtkIdType i = 0; i < this->Table->GetNumberOfColumns(); ++i)
+  {
+    vtkAbstractArray* column = this->Table->GetColumn(i);
+    const auto copy = vtkSmartPointer<vtkAbstractArray>::Take(column->NewInstance());
+    copy->SetName(column->GetName());
+    copy->SetNumberOfTuples(rows->GetNumberOfIds());
+    column->GetTuples(rows, copy);
+    arranged->AddColumn(copy);
+  }
+  arranged->AddColumn(places);
+  return { arranged, this->Labels, {}, PlaceColumn, this->XTitle };
+}
+
+vtkSmartPointer<vtkPEMPanel> MakeMetricChart(
+  const std::string& metric, const MetricChartTable& data, bool isSmall)
 {
   StudyPlot plot;
   plot.Kind = "line";
-  plot.X = x;
+  plot.X = data.X;
   plot.Y = { metric };
-  const vtkSmartPointer<vtkPEMChart> chart = MakeResultChart(plot, table, labels);
+  const vtkSmartPointer<vtkPEMChart> chart = MakeResultChart(plot, data.Table, *data.Labels);
+  chart->SetXTitle(data.XTitle.empty() ? data.Labels->Title(data.X) : data.XTitle);
   if (isSmall)
   {
     chart->SetTitle(metric);

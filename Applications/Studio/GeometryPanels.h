@@ -10,9 +10,12 @@
 
 #include <QString>
 
+#include <memory>
 #include <string>
+#include <vector>
 
 class vtkPEMPanel;
+class vtkTable;
 
 namespace pemesh
 {
@@ -23,9 +26,25 @@ struct Study;
 /** The column that the meshes of a study are drawn over. */
 std::string AbscissaOf(const Study& study);
 
+/** The rows of a table in order of a column of numbers, those without a value last. */
+std::vector<vtkIdType> RowsInOrder(vtkTable* table, const std::string& column);
+
+/** What charts of metrics are made of. */
+struct MetricChartTable
+{
+  vtkSmartPointer<vtkTable> Table;
+  std::shared_ptr<const ColumnLabels> Labels;
+  std::vector<vtkIdType> Rows; ///< in the order of the chart; empty: as they are
+  std::string X;               ///< the abscissae, where the order is that of the table
+  std::string XTitle;          ///< "": that of the column
+
+  /** With the rows in that order, over their places in it from 1. */
+  MetricChartTable Arrange() const;
+};
+
 /** Smallest, mean and largest value of a metric; a small chart has no title of its y axis. */
-vtkSmartPointer<vtkPEMPanel> MakeMetricChart(const std::string& metric, const std::string& x,
-  vtkTable* table, const ColumnLabels& labels, bool isSmall);
+vtkSmartPointer<vtkPEMPanel> MakeMetricChart(
+  const std::string& metric, const MetricChartTable& data, bool isSmall);
 
 /**
  * Writes a mesh coloured by a metric as PNG, SVG or PDF, or the table of its elements as CSV.

@@ -92,6 +92,10 @@ void LayoutCanvas::SetSelected(int polygon)
   if (this->Selected != polygon)
   {
     this->Selected = polygon;
+    if (this->Current.What != Grip::Stroke)
+    {
+      this->Current = {}; // what was dragged is no longer what is selected
+    }
     this->update();
     emit this->SelectionChanged(polygon);
   }
@@ -227,11 +231,9 @@ void LayoutCanvas::ContinueDrag(const QPointF& position, bool inSteps)
   {
     const auto angle = [&center](const QPointF& at)
     { return std::atan2(center.y() - at.y(), at.x() - center.x()) * 180.0 / std::numbers::pi; };
-    const double step = inSteps ? StepOfTurn : 0.1;
-    const double turned = drag.Rotation + angle(position) - angle(drag.From);
-    const double whole = std::round(std::remainder(turned, 360.0) / step * 10.0 * step) / 10.0;
+    const double turned = std::remainder(drag.Rotation + angle(position) - angle(drag.From), 360.0);
     const double rotation =
-      inSteps ? std::round(std::remainder(turned, 360.0) / step) * step : whole;
+      inSteps ? std::round(turned / StepOfTurn) * StepOfTurn : std::round(turned * 10.0) / 10.0;
     this->Model->SetValue(
       PathOf(this->Selected, "rotation"), JsonNumber(rotation), tr("Turn polygon"), drag.Gesture);
   }

@@ -38,6 +38,7 @@ LogDock::LogDock(Selection* selection, QWidget* parent)
 {
   this->setObjectName(QStringLiteral("logDock"));
   this->Log->setReadOnly(true);
+  this->Log->setTabChangesFocus(true);
   this->Log->setMaximumBlockCount(MostLines);
   this->Log->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   this->Log->setAccessibleName(tr("Log"));
@@ -48,6 +49,7 @@ LogDock::LogDock(Selection* selection, QWidget* parent)
   this->Values->verticalHeader()->setDefaultSectionSize(22);
   this->Values->setEditTriggers(QAbstractItemView::NoEditTriggers);
   this->Values->setAlternatingRowColors(true);
+  this->Values->setTabKeyNavigation(false);
   this->Values->setAccessibleName(tr("Values"));
   this->Tabs->setDocumentMode(true);
   this->Tabs->addTab(this->Log, tr("Log"));

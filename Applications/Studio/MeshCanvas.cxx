@@ -7,10 +7,13 @@
 
 #include <QMouseEvent>
 #include <QPainter>
+#include <QRubberBand>
 #include <QToolTip>
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <utility>
 
 namespace pemesh
 {
@@ -18,6 +21,7 @@ namespace pemesh
 namespace
 {
 
+constexpr int DragDistance = 6; // pixels
 constexpr double BarWidth = 16.0;
 constexpr double BarHeight = 220.0;
 constexpr const char* ExtremeColors[2] = { "#d55e00", "#cc2f8e" };
@@ -31,6 +35,7 @@ QString ShowNumber(double value)
 
 MeshCanvas::MeshCanvas(QWidget* parent)
   : PlaneView(parent)
+  , Band(new QRubberBand(QRubberBand::Rectangle, this))
 {
   this->setAccessibleName(tr("Mesh"));
 }
@@ -41,7 +46,7 @@ void MeshCanvas::SetColors(
   this->Title = title;
   this->Range[0] = range[0];
   this->Range[1] = range[1];
-  MeshColoring coloring;
+  MeshColoring coloring = this->GetColoring();
   coloring.Array = array.toStdString();
   coloring.Range[0] = range[0];
   coloring.Range[1] = range[1];
@@ -91,20 +96,50 @@ QPolygonF MeshCanvas::OnScreen(qint64 element) const
   return polygon;
 }
 
+void MeshCanvas::SetMarked(const std::vector<vtkIdType>& elements)
+{
+  MeshColoring coloring = this->GetColoring();
+  const bool one = elements.size() < 2; // the one that is selected has a frame
+  coloring.Marked = one ? nullptr : std::make_shared<const std::vector<vtkIdType>>(elements);
+  this->SetColoring(coloring);
+}
+
 void MeshCanvas::mousePressEvent(QMouseEvent* event)
 {
   PlaneView::mousePressEvent(event);
-  if (event->button() == Qt::LeftButton && this->GetPicture())
+  this->PressedAt = event->position();
+  this->IsPressed = event->button() == Qt::LeftButton;
+}
+
+void MeshCanvas::mouseReleaseEvent(QMouseEvent* event)
+{
+  PlaneView::mouseReleaseEvent(event);
+  const bool isDrag = this->Band->isVisible();
+  this->Band->hide();
+  const MeshPicturePointer picture = this->GetPicture();
+  if (!std::exchange(this->IsPressed, false) || !picture)
   {
-    emit this->ElementClicked(
-      this->GetPicture()->FindElement(this->GetTransform().ToPlane(event->position())));
+    return;
   }
+  const Point2 from = this->GetTransform().ToPlane(this->PressedAt);
+  const Point2 to = this->GetTransform().ToPlane(event->position());
+  if (isDrag)
+  {
+    emit this->ElementsMarked(picture->FindElements(from, to));
+    return;
+  }
+  emit this->ElementClicked(picture->FindElement(to));
 }
 
 void MeshCanvas::mouseMoveEvent(QMouseEvent* event)
 {
   PlaneView::mouseMoveEvent(event);
   const MeshPicturePointer picture = this->GetPicture();
+  if (this->IsPressed)
+  {
+    this->Band->setGeometry(QRectF(this->PressedAt, event->position()).normalized().toRect());
+    this->Band->setVisible((event->position() - this->PressedAt).manhattanLength() > DragDistance);
+  }
   if (!picture || event->buttons() != Qt::NoButton)
   {
     return;

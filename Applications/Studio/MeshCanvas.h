@@ -9,6 +9,8 @@
 
 #include "PlaneView.h"
 
+class QRubberBand;
+
 namespace pemesh
 {
 
@@ -23,6 +25,8 @@ public:
     const QString& array, const QString& title, const double range[2], bool logarithmic);
   void SetShowExtremes(bool show);
   void SetSelected(qint64 element);
+  /** Elements that stand out, ascending; none: all alike. */
+  void SetMarked(const std::vector<vtkIdType>& elements);
   void SetHint(const QString& hint);
   /** After SetPicture: what depends on the values of the mesh. */
   void Refresh();
@@ -30,12 +34,15 @@ public:
 signals:
   /** -1 beside the mesh. */
   void ElementClicked(qint64 element);
+  /** Those with their middle in a rectangle that was dragged. */
+  void ElementsMarked(const std::vector<vtkIdType>& elements);
 
 protected:
   double GetLeftMargin() const override { return 110.0; }
   void PaintAbove(QPainter& painter) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
 
 private:
   QPolygonF OnScreen(qint64 element) const;
@@ -48,6 +55,9 @@ private:
   qint64 Selected = -1;
   MeshPicture::Extremes Extremes;
   QString Hint;
+  QRubberBand* Band;
+  QPointF PressedAt;
+  bool IsPressed = false;
 };
 
 } // namespace pemesh

@@ -76,7 +76,7 @@ MeshPage::MeshPage(StudyModel* model, StudyPreview* preview, QWidget* parent)
   splitter->addWidget(this->MakeMiddle());
   splitter->addWidget(this->MakeRight());
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({ 210, 620, 390 });
+  splitter->setSizes({ 190, 640, 340 });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(splitter);
@@ -129,10 +129,8 @@ QWidget* MeshPage::MakeMiddle()
   this->MakeActions();
   this->Numbers = new QLabel(panel);
   this->Numbers->setObjectName(QStringLiteral("muted"));
-  auto* space = new QWidget(panel);
-  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  this->Tools->addWidget(space);
-  this->Tools->addWidget(this->Numbers);
+  this->Numbers->setAlignment(Qt::AlignRight);
+  this->Numbers->setContentsMargins(12, 0, 12, 6);
   this->Fault = new QLabel(panel);
   this->Fault->setObjectName(QStringLiteral("fault"));
   this->Fault->setWordWrap(true);
@@ -142,7 +140,9 @@ QWidget* MeshPage::MakeMiddle()
   below->setObjectName(QStringLiteral("barBelow"));
   auto* line = new QVBoxLayout(below);
   line->setContentsMargins(0, 0, 0, 0);
+  line->setSpacing(0);
   line->addWidget(this->Time);
+  line->addWidget(this->Numbers);
   layout->addWidget(this->Tools);
   layout->addWidget(this->Fault);
   layout->addWidget(this->Canvas, 1);
@@ -225,16 +225,14 @@ void MeshPage::MakeActions()
   this->Select(-1);
 }
 
-QWidget* MeshPage::MakeOptions(const std::vector<std::string>& paths)
+QWidget* MeshPage::MakeOptions(const std::vector<std::pair<std::string, QString>>& objects)
 {
   auto* content = new QWidget;
   auto* layout = new QVBoxLayout(content);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  for (const std::string& path : paths)
+  for (const auto& [path, title] : objects)
   {
-    QString title = QString::fromStdString(path.substr(0, path.find('[')));
-    title[0] = title[0].toUpper();
     layout->addWidget(MakeHeading(title, content));
     auto* form = new OptionForm(this->Model, content);
     form->SetPath(path);
@@ -262,6 +260,7 @@ QWidget* MeshPage::MakeRight()
   this->Table->verticalHeader()->setDefaultSectionSize(26);
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   this->Table->setColumnWidth(0, 92);
+  this->Table->setTabKeyNavigation(false);
   this->Table->setAccessibleName(tr("Polygons"));
   connect(this->Table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
     [this](const QModelIndex& index) { this->Select(index.isValid() ? index.row() : -1); });
@@ -281,8 +280,9 @@ QWidget* MeshPage::MakeRight()
   polygons->addWidget(this->FormStack);
   polygons->setSizes({ 220, 380 });
   this->Tabs->addTab(polygons, tr("Polygons"));
-  this->Tabs->addTab(this->MakeOptions({ "domain", "mesh" }), tr("Mesh"));
-  this->Tabs->addTab(this->MakeOptions({ "sweep[0]" }), tr("Series"));
+  this->Tabs->addTab(
+    this->MakeOptions({ { "domain", tr("Domain") }, { "mesh", tr("Mesh") } }), tr("Mesh"));
+  this->Tabs->addTab(this->MakeOptions({ { "sweep[0]", tr("Sweep") } }), tr("Series"));
   return panel;
 }
 

@@ -48,7 +48,7 @@ private:
   QWidget* MakeLeft();
   QWidget* MakeMiddle();
   QWidget* MakeRight();
-  QWidget* MakeOptions(const std::vector<std::string>& paths);
+  QWidget* MakeOptions(const std::vector<std::pair<std::string, QString>>& objects);
   void MakeActions();
   QAction* AddAction(
     const char* icon, const QString& text, const QKeySequence& key, void (MeshPage::*method)());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MeshPicture.h"
 
+#include "ArrayValues.h"
 #include "ColorMaps.h"
 #include "ElementAccess.h"
 #include "ExtremeElements.h"
@@ -25,7 +26,8 @@ namespace
 
 constexpr double SmallestDrawn = 1.2;    // pixels; below an element is a dot
 constexpr double SmallestOutlined = 4.0; // pixels, of elements on average
-constexpr int MostSmoothed = 150000;     // elements with smooth edges
+constexpr double FaintOpacity = 0.25;
+constexpr int MostSmoothed = 150000; // elements with smooth edges
 
 vtkDataArray* FindCellArray(vtkPolyData* mesh, const std::string& name)
 {
@@ -38,6 +40,25 @@ QRgb Blend(const ChartColor& color, QRgb behind, double opacity)
   { return static_cast<int>(std::lround(opacity * front + (1.0 - opacity) * back)); };
   return qRgb(
     mix(color[0], qRed(behind)), mix(color[1], qGreen(behind)), mix(color[2], qBlue(behind)));
+}
+
+/** What is not marked comes near the colour behind it. */
+void FadeOthers(std::vector<QRgb>& colors, const std::vector<vtkIdType>& marked, QRgb behind)
+{
+  auto next = marked.begin();
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    if (next != marked.end() && *next == static_cast<vtkIdType>(i))
+    {
+      ++next;
+      continue;
+    }
+    const QColor color(colors[i]);
+    colors[i] =
+      Blend({ static_cast<unsigned char>(color.red()), static_cast<unsigned char>(color.green()),
+              static_cast<unsigned char>(color.blue()) },
+        behind, FaintOpacity);
+  }
 }
 
 } // namespace
@@ -101,6 +122,20 @@ vtkIdType MeshPicture::FindElement(const Point2& point) const
   return -1;
 }
 
+std::vector<vtkIdType> MeshPicture::FindElements(const Point2& a, const Point2& b) const
+{
+  const QRectF area = QRectF(QPointF(a.x, a.y), QPointF(b.x, b.y)).normalized();
+  std::vector<vtkIdType> elements;
+  for (std::size_t i = 0; i < this->Boxes.size(); ++i)
+  {
+    if (area.contains(this->Boxes[i].center()))
+    {
+      elements.push_back(static_cast<vtkIdType>(i));
+    }
+  }
+  return elements;
+}
+
 MeshPicture::Extremes MeshPicture::FindExtremes(const std::string& array) const
 {
   Extremes extremes;
@@ -108,8 +143,7 @@ MeshPicture::Extremes MeshPicture::FindExtremes(const std::string& array) const
   const auto [smallest, largest] = FindExtremeElements(values);
   if (smallest >= 0)
   {
-    extremes = { { values->GetTuple1(smallest), values->GetTuple1(largest) },
-      { smallest, largest } };
+    extremes = { { ValueOf(values, smallest), ValueOf(values, largest) }, { smallest, largest } };
   }
   return extremes;
 }
@@ -117,9 +151,13 @@ MeshPicture::Extremes MeshPicture::FindExtremes(const std::string& array) const
 double MeshPicture::GetValue(const std::string& array, vtkIdType element) const
 {
   vtkDataArray* values = FindCellArray(this->Mesh, array);
-  return values && element >= 0 && element < values->GetNumberOfTuples()
-    ? values->GetTuple1(element)
-    : std::nan("");
+  return values && element >= 0 && element < values->GetNumberOfTuples() ? ValueOf(values, element)
+                                                                         : std::nan("");
+}
+
+bool MeshPicture::HasArray(const std::string& array) const
+{
+  return FindCellArray(this->Mesh, array) != nullptr;
 }
 
 vtkSmartPointer<vtkTable> MeshPicture::MakeTable() const
@@ -149,7 +187,7 @@ std::vector<QRgb> MeshPicture::MakeColors(const MeshColoring& coloring) const
   }
   for (std::size_t i = 0; values && i < count; ++i)
   {
-    const double value = values->GetTuple1(static_cast<vtkIdType>(i));
+    const double value = ValueOf(values, static_cast<vtkIdType>(i));
     if (!classes)
     {
       const ChartColor color = scale.ColorOf(value);
@@ -159,6 +197,10 @@ std::vector<QRgb> MeshPicture::MakeColors(const MeshColoring& coloring) const
     {
       colors[i] = Blend(SeriesColor(static_cast<int>(value)), coloring.Plain, coloring.Opacity);
     }
+  }
+  if (coloring.Marked)
+  {
+    FadeOthers(colors, *coloring.Marked, coloring.Plain);
   }
   return colors;
 }

@@ -53,6 +53,8 @@ struct MeshColoring
   QRgb Line = 0xff5a6470;
   QRgb Plain = 0xffffffff; ///< of elements of no class
   double Opacity = 1.0;    ///< of the colours of classes
+  /** Ascending; the others are faint. Null: none is. */
+  std::shared_ptr<const std::vector<vtkIdType>> Marked = nullptr;
 
   bool operator==(const MeshColoring&) const = default;
 };
@@ -74,6 +76,9 @@ public:
   /** The element that holds a point, or -1. */
   vtkIdType FindElement(const Point2& point) const;
 
+  /** Those with the middle of their box between two corners of a rectangle, ascending. */
+  std::vector<vtkIdType> FindElements(const Point2& a, const Point2& b) const;
+
   /** Smallest and largest finite value of a cell array, and the elements that have them (or -1). */
   struct Extremes
   {
@@ -81,6 +86,9 @@ public:
     vtkIdType Elements[2] = { -1, -1 };
   };
   Extremes FindExtremes(const std::string& array) const;
+
+  /** Whether there is a cell array of that name. */
+  bool HasArray(const std::string& array) const;
 
   /** The value of a cell array, NaN where there is none. */
   double GetValue(const std::string& array, vtkIdType element) const;

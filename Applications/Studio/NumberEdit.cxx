@@ -34,6 +34,13 @@ void NumberEdit::SetInteger(bool isInteger)
     isInteger ? QAbstractSpinBox::DefaultStepType : QAbstractSpinBox::AdaptiveDecimalStepType);
 }
 
+void NumberEdit::SetOptional(const QString& text)
+{
+  this->IsOptional = true;
+  this->setMinimum(this->minimum() - 1.0);
+  this->setSpecialValueText(text);
+}
+
 QString NumberEdit::textFromValue(double value) const
 {
   return this->IsInteger ? QString::number(std::llround(value))
@@ -42,11 +49,19 @@ QString NumberEdit::textFromValue(double value) const
 
 double NumberEdit::valueFromText(const QString& text) const
 {
+  if (this->IsOptional && text == this->specialValueText())
+  {
+    return this->minimum();
+  }
   return ParseNumber(text.toStdString()).value_or(0.0);
 }
 
 QValidator::State NumberEdit::validate(QString& text, int&) const
 {
+  if (this->IsOptional && text == this->specialValueText())
+  {
+    return QValidator::Acceptable;
+  }
   const std::optional<double> value = ParseNumber(text.toStdString());
   if (!value)
   {
@@ -61,7 +76,8 @@ QValidator::State NumberEdit::validate(QString& text, int&) const
     }
     return QValidator::Intermediate;
   }
-  const bool inRange = *value >= this->minimum() && *value <= this->maximum() &&
+  const double least = this->minimum() + (this->IsOptional ? 1.0 : 0.0);
+  const bool inRange = *value >= least && *value <= this->maximum() &&
     (!this->IsInteger || *value == std::trunc(*value));
   return inRange ? QValidator::Acceptable : QValidator::Intermediate;
 }

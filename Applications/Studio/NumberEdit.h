@@ -20,6 +20,10 @@ public:
   explicit NumberEdit(QWidget* parent = nullptr);
 
   void SetInteger(bool isInteger);
+  /** May be unset, which the text says in place of a number; it is the step below the least. */
+  void SetOptional(const QString& text);
+  bool IsUnset() const { return this->IsOptional && this->value() == this->minimum(); }
+  void Unset() { this->setValue(this->minimum()); }
 
   QString textFromValue(double value) const override;
   double valueFromText(const QString& text) const override;
@@ -32,6 +36,7 @@ protected:
 
 private:
   bool IsInteger = false;
+  bool IsOptional = false;
 };
 
 } // namespace pemesh

@@ -141,6 +141,10 @@ void OptionForm::Refresh()
     {
       row.Show(*fields[i].Value);
     }
+    else if (row.ShowUnset)
+    {
+      row.ShowUnset();
+    }
     row.Reset->setVisible(
       !fields[i].IsRequired && HasPath(this->Model->GetDocument(), fields[i].Path));
   }
@@ -252,6 +256,15 @@ void OptionForm::Set(const FormField& field, const JsonValue& value)
   }
 }
 
+void OptionForm::Unset(const FormField& field)
+{
+  if (!this->IsShowing)
+  {
+    this->Model->RemoveValue(
+      field.Path, tr("Default of %1").arg(QString::fromStdString(field.Key)));
+  }
+}
+
 void OptionForm::Choose(const FormField& field, const std::string& choice)
 {
   if (this->IsShowing)
@@ -290,6 +303,11 @@ QWidget* OptionForm::MakeNumber(Row& row)
   edit->SetInteger(field.Form.Kind == ValueForm::Integer);
   edit->setRange(
     std::max(field.Form.Least, -LargestShown), std::min(field.Form.Greatest, LargestShown));
+  if (!field.Form.WhenUnset.empty())
+  {
+    edit->SetOptional(QString::fromStdString(field.Form.WhenUnset));
+    row.ShowUnset = [edit] { edit->Unset(); };
+  }
   row.Show = [edit](const JsonValue& value)
   {
     if (value.IsNumber() && edit->value() != value.ToNumber())
@@ -298,7 +316,8 @@ QWidget* OptionForm::MakeNumber(Row& row)
     }
   };
   connect(edit, &QDoubleSpinBox::valueChanged, this,
-    [this, field](double value) { this->Set(field, JsonNumber(value)); });
+    [this, field, edit](double value)
+    { edit->IsUnset() ? this->Unset(field) : this->Set(field, JsonNumber(value)); });
   return edit;
 }
 

@@ -49,6 +49,7 @@ private:
   {
     FormField Field;
     std::function<void(const JsonValue& value)> Show;
+    std::function<void()> ShowUnset; // where the value may be left out
     QToolButton* Reset = nullptr;
   };
 
@@ -63,6 +64,7 @@ private:
   QWidget* MakeTruth(Row& row);
   QWidget* MakeText(Row& row);
   void Set(const FormField& field, const JsonValue& value);
+  void Unset(const FormField& field);
   void Choose(const FormField& field, const std::string& choice);
   int GestureOf(const std::string& path);
   QFormLayout* GetLayout() const;

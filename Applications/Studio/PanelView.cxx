@@ -30,6 +30,7 @@ namespace
 
 constexpr double PickTolerance = 1.2; // font sizes
 constexpr int DragDistance = 6;       // pixels
+constexpr double KeyZoom = 1.25;
 
 /** The style of the user in the colours of the window, where it is dark. */
 ChartStyle ScreenStyle()
@@ -328,7 +329,26 @@ void PanelView::mouseDoubleClickEvent(QMouseEvent* event)
 
 void PanelView::keyPressEvent(QKeyEvent* event)
 {
-  event->key() == Qt::Key_Home ? this->ResetView() : QWidget::keyPressEvent(event);
+  const QPointF at = this->FindPanel(this->mapFromGlobal(QCursor::pos())) < 0
+    ? (this->Painted.Boxes.empty() ? QPointF() : this->Painted.Boxes.front().center())
+    : this->mapFromGlobal(QPointF(QCursor::pos()));
+  switch (event->key())
+  {
+    case Qt::Key_Home:
+      this->ResetView();
+      break;
+    case Qt::Key_Plus:
+    case Qt::Key_Minus:
+      this->Change(at,
+        [factor = event->key() == Qt::Key_Plus ? KeyZoom : 1.0 / KeyZoom](
+          vtkPEMPanel* panel, double x, double y) { panel->Zoom(x, y, factor); });
+      break;
+    case Qt::Key_Escape:
+      emit this->EscapePressed();
+      [[fallthrough]];
+    default:
+      QWidget::keyPressEvent(event);
+  }
 }
 
 void PanelView::contextMenuEvent(QContextMenuEvent* event)

@@ -8,8 +8,8 @@
  * runs in the worker and may use only what does not change.
  *
  * Under the mouse: what a mark is. Wheel: zoom. Middle button or Shift and the left one: move. Left
- * button: a click picks, a drag selects the rows in a rectangle. Home: show all. Right button:
- * export.
+ * button: a click picks, a drag selects the rows in a rectangle. Right button or the menu key:
+ * export. Keys: + and - zoom, Home shows all.
  */
 #ifndef pemesh_PanelView_h
 #define pemesh_PanelView_h
@@ -45,6 +45,7 @@ public:
   void SetLinked(bool linked) { this->Linked = linked; }
   /** Rows (elements of mesh views) that stand out in every panel. */
   void SetHighlightedRows(const std::vector<vtkIdType>& rows);
+  const std::vector<vtkIdType>& GetHighlightedRows() const { return this->Highlighted; }
   void ResetView();
   /** Paints anew, say after the style has changed. */
   void Refresh() { this->Request(); }
@@ -70,6 +71,7 @@ signals:
   void Picked(int panel, const pemesh::ChartPick& pick);
   void RowsSelected(int panel, const std::vector<vtkIdType>& rows);
   void DoubleClicked(int panel);
+  void EscapePressed();
 
 protected:
   void paintEvent(QPaintEvent* event) override;

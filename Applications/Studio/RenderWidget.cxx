@@ -7,6 +7,8 @@
 #include <QTimer>
 #include <QWheelEvent>
 
+#include <utility>
+
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
@@ -127,9 +129,9 @@ void RenderWidget::paintGL()
   vtkOpenGLState* state = this->Window->GetState();
   state->Reset();
   state->Push();
-  if (this->NeedsRender)
+  const bool renders = std::exchange(this->NeedsRender, false);
+  if (renders)
   {
-    this->NeedsRender = false;
     this->Window->Render();
   }
   this->MakeCurrent(); // whoever was told of the rendering may have taken another context
@@ -145,6 +147,10 @@ void RenderWidget::paintGL()
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->Pop();
   this->IsPainting = false;
+  if (renders)
+  {
+    emit this->Rendered();
+  }
 }
 
 /** The context, but not the framebuffer of the widget, in the middle of whose drawing VTK may be.

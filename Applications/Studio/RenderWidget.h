@@ -39,6 +39,10 @@ public:
   /** Renders at the next paint. */
   void Render();
 
+signals:
+  /** VTK has rendered, and it is on its way to the screen. */
+  void Rendered();
+
 protected:
   void initializeGL() override;
   void resizeGL(int width, int height) override;

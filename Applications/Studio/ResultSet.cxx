@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ResultSet.h"
 
+#include "ArrayValues.h"
 #include "ColumnLabels.h"
+#include "ColumnRoles.h"
 #include "CsvTable.h"
 #include "LatestJob.h"
 #include "MeshFormats.h"
@@ -11,7 +13,6 @@
 #include "Study.h"
 #include "StudyFile.h"
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -30,6 +31,7 @@ struct ResultSet::Contents
   fs::path Folder;
   vtkSmartPointer<vtkTable> Table;
   vtkSmartPointer<vtkTable> Correlation;
+  vtkSmartPointer<vtkTable> Findings;
   vtkSmartPointer<vtkTable> Failures;
   Study TheStudy;
   std::shared_ptr<const ColumnLabels> Labels;
@@ -78,6 +80,7 @@ std::shared_ptr<const ResultSet::Contents> ResultSet::Read(const std::string& fo
   contents->Folder = folder;
   contents->Table = ReadCsvFile(contents->Folder / "results.csv");
   contents->Correlation = ReadIfThere(contents->Folder / "correlation.csv");
+  contents->Findings = ReadIfThere(contents->Folder / "findings.csv");
   contents->Failures = ReadIfThere(contents->Folder / "failures.csv");
   contents->TheStudy = ReadStudy(contents->Folder / "study.json");
   contents->Labels = LabelsOf(contents->TheStudy);
@@ -86,6 +89,7 @@ std::shared_ptr<const ResultSet::Contents> ResultSet::Read(const std::string& fo
 
 void ResultSet::Load(const QString& folder)
 {
+  this->ReadJob->Cancel(); // the folder before may be gone by now
   this->ReadJob->Start(
     [this, path = folder.toStdString()](const std::atomic<bool>&) -> LatestJob::Delivery
     {
@@ -101,6 +105,7 @@ void ResultSet::Load(const QString& folder)
       }
       return [this, contents, fault]
       {
+        this->MeshJob->Cancel(); // a mesh of the folder before
         this->Data = contents;
         this->Picture.reset();
         this->Case = -1;
@@ -138,6 +143,11 @@ vtkTable* ResultSet::GetCorrelation() const
   return this->Data ? this->Data->Correlation : nullptr;
 }
 
+vtkTable* ResultSet::GetFindings() const
+{
+  return this->Data ? this->Data->Findings : nullptr;
+}
+
 vtkTable* ResultSet::GetFailures() const
 {
   return this->Data ? this->Data->Failures : nullptr;
@@ -165,15 +175,26 @@ QString ResultSet::GetMeshName(int index) const
     : QString();
 }
 
+int ResultSet::FindMesh(const QString& name) const
+{
+  for (int i = 0; i < this->GetNumberOfCases(); ++i)
+  {
+    if (this->GetMeshName(i) == name)
+    {
+      return i;
+    }
+  }
+  return -1;
+}
+
 QStringList ResultSet::GetNumberColumns() const
 {
   QStringList names;
-  vtkTable* table = this->GetTable();
-  for (vtkIdType i = 0; table && i < table->GetNumberOfColumns(); ++i)
+  if (this->Data)
   {
-    if (vtkDataArray::SafeDownCast(table->GetColumn(i)))
+    for (const std::string& name : NumericColumns(this->Data->Table))
     {
-      names << QString::fromUtf8(table->GetColumnName(i));
+      names << QString::fromStdString(name);
     }
   }
   return names;
@@ -195,25 +216,17 @@ QStringList ResultSet::GetMetrics() const
 
 void ResultSet::GetRange(const QString& metric, double range[2]) const
 {
-  range[0] = range[1] = 0.0;
+  double found[2] = { INFINITY, -INFINITY };
   bool any = false;
   for (const char* ending : { "_min", "_max" })
   {
     const std::string name = metric.toStdString() + ending;
-    auto* column = this->Data
-      ? vtkDataArray::SafeDownCast(this->Data->Table->GetColumnByName(name.c_str()))
-      : nullptr;
-    for (vtkIdType i = 0; column && i < column->GetNumberOfTuples(); ++i)
-    {
-      const double value = column->GetTuple1(i);
-      if (std::isfinite(value))
-      {
-        range[0] = any ? std::min(range[0], value) : value;
-        range[1] = any ? std::max(range[1], value) : value;
-        any = true;
-      }
-    }
+    any = this->Data &&
+      ExtendRange(
+        vtkDataArray::SafeDownCast(this->Data->Table->GetColumnByName(name.c_str())), found);
   }
+  range[0] = any ? found[0] : 0.0;
+  range[1] = any ? found[1] : 0.0;
 }
 
 void ResultSet::ShowCase(int index)

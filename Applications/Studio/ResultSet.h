@@ -45,6 +45,8 @@ public:
   /** Null while there is none. They do not change once they are there. */
   vtkTable* GetTable() const;
   vtkTable* GetCorrelation() const;
+  /** What vtkPEMFindings says of it. */
+  vtkTable* GetFindings() const;
   vtkTable* GetFailures() const;
   const Study* GetStudy() const;
   std::shared_ptr<const ColumnLabels> GetLabels() const;
@@ -52,6 +54,8 @@ public:
 
   int GetNumberOfCases() const;
   QString GetMeshName(int index) const;
+  /** The number of a mesh of that name, or -1. */
+  int FindMesh(const QString& name) const;
   /** The columns that hold numbers. */
   QStringList GetNumberColumns() const;
   /** The metrics of which the table has the smallest, largest and mean value. */

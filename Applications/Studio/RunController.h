@@ -5,7 +5,9 @@
  * @brief   Runs a study with vtkPEMRunner in a thread of its own.
  *
  * The results are made in a folder beside the final one and take its place when the run is done or
- * stopped: cancelling leaves the results of the run before as they were.
+ * stopped: cancelling leaves the results of the run before as they were. A run that is paused
+ * leaves that folder, and goes on from it later, even after the program was ended: meshes that are
+ * done are taken as they are, as far as the study still says the same of them.
  */
 #ifndef pemesh_RunController_h
 #define pemesh_RunController_h
@@ -17,9 +19,20 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace pemesh
 {
+
+/** What is to be run. */
+struct RunRequest
+{
+  std::string Text;       ///< the study as JSON
+  std::string Folder;     ///< that its paths are relative to
+  QString Output;         ///< where the results go
+  std::vector<int> Cases; ///< the meshes, by their numbers from 0; none: all
+  bool Continues = false; ///< goes on from what was paused
+};
 
 class RunController : public QObject
 {
@@ -29,13 +42,27 @@ public:
   /** Cancels what is running and waits for it. */
   ~RunController() override;
 
-  /** The study as JSON text, the folder that its paths are relative to, and where results go. */
-  void Start(const std::string& text, const std::string& studyFolder, const QString& output);
+  /** A run that is paused is given up, unless the request continues it. */
+  void Start(const RunRequest& request);
 
-  bool IsRunning() const { return this->Running; }
+  bool IsRunning() const { return this->Now == State::Running; }
+  bool IsPaused() const { return this->Now == State::Paused; }
   double GetSeconds() const { return static_cast<double>(this->Clock.elapsed()) / 1000.0; }
+  /** What is done so far of a run that runs or is paused; else empty. */
+  QString GetWorkFolder() const;
+
+  /** Where the results of the last run go. */
+  QString GetOutput() const { return this->Output; }
+
+  /** What is paused stays in its folder. */
+  void Forget();
+
+  /** Is paused from now on if a run with these results did not end, else idle. */
+  bool FindUnfinished(const QString& output);
 
 public slots:
+  /** Ends soon, to be continued. */
+  void Pause();
   /** Ends soon and keeps the meshes that are done. */
   void Stop();
   /** Ends soon and keeps nothing. */
@@ -46,16 +73,29 @@ signals:
   void Progressed(double fraction);
   /** What a log should say. */
   void Told(const QString& line);
-  /** `folder` holds the results; empty where there are none. */
+  /** `folder` holds the results, so far if the run is paused now; empty where there are none. */
   void Finished(bool isGood, const QString& folder, const QStringList& messages);
+  /** Without a run: see FindUnfinished. */
+  void StateChanged();
 
 private:
   struct Run;
+  enum class State
+  {
+    Idle,
+    Running,
+    Paused
+  };
+
+  void Launch();
+  void StopRunner();
+  void EndPaused(bool discards);
   void Finish(bool isGood, const QString& folder, const QStringList& messages);
 
   std::unique_ptr<Run> Current;
   QElapsedTimer Clock;
-  bool Running = false;
+  QString Output;
+  State Now = State::Idle;
 };
 
 } // namespace pemesh

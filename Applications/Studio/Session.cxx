@@ -6,15 +6,16 @@
 #include "StudyModel.h"
 #include "TextFile.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QLockFile>
 #include <QMenu>
 #include <QMessageBox>
 #include <QSettings>
 #include <QStandardPaths>
 #include <QTimer>
+#include <QUuid>
 #include <QWidget>
 
 namespace pemesh
@@ -27,20 +28,12 @@ constexpr int AutosaveMilliseconds = 3000;
 constexpr int MostRecent = 10;
 constexpr const char* RecentKey = "recentFiles";
 
-/** "studio-1234.json" for the study, "studio-1234.txt" for the file that it belongs to. */
-QString AutosaveFile(qint64 process, const char* ending)
+/** A lock that belongs to a program that has ended, on this machine; null if it still runs. */
+std::unique_ptr<QLockFile> TakeOver(const QString& lockFile)
 {
-  return QStringLiteral("%1/studio-%2.%3")
-    .arg(Session::GetAutosaveFolder())
-    .arg(process)
-    .arg(QLatin1String(ending));
-}
-
-/** The process in the name of an autosave file, or 0 if it still runs. */
-qint64 EndedProcess(const QFileInfo& file)
-{
-  const qint64 process = file.completeBaseName().section(QLatin1Char('-'), 1).toLongLong();
-  return QFileInfo::exists(QStringLiteral("/proc/%1").arg(process)) ? 0 : process;
+  auto lock = std::make_unique<QLockFile>(lockFile);
+  lock->setStaleLockTime(0); // however old, it counts while its program runs
+  return lock->tryLock(0) ? std::move(lock) : nullptr;
 }
 
 QString MeshFilter()
@@ -55,6 +48,7 @@ Session::Session(StudyModel* model, QWidget* window)
   , Model(model)
   , Window(window)
   , AutosaveTimer(new QTimer(this))
+  , Identity(QUuid::createUuid().toString(QUuid::Id128))
 {
   this->AutosaveTimer->setSingleShot(true);
   this->AutosaveTimer->setInterval(AutosaveMilliseconds);
@@ -65,6 +59,13 @@ Session::Session(StudyModel* model, QWidget* window)
 Session::~Session()
 {
   this->RemoveAutosave();
+}
+
+/** The study, the name of its file, or the lock that says whose they are. */
+QString Session::GetAutosaveFile(const char* ending) const
+{
+  return QStringLiteral("%1/studio-%2.%3")
+    .arg(Session::GetAutosaveFolder(), this->Identity, QLatin1String(ending));
 }
 
 QString Session::GetAutosaveFolder()
@@ -85,7 +86,6 @@ QString Session::GetOutputFolder() const
 
 void Session::Autosave()
 {
-  const qint64 process = QCoreApplication::applicationPid();
   if (!this->Model->IsModified())
   {
     this->RemoveAutosave();
@@ -93,8 +93,13 @@ void Session::Autosave()
   }
   try
   {
-    WriteTextFile(AutosaveFile(process, "txt").toStdString(), this->Model->GetFile().toStdString());
-    WriteTextFile(AutosaveFile(process, "json").toStdString(), this->Model->GetText());
+    if (!this->Lock)
+    {
+      QDir().mkpath(GetAutosaveFolder());
+      this->Lock = TakeOver(this->GetAutosaveFile("lock"));
+    }
+    WriteTextFile(this->GetAutosaveFile("txt").toStdString(), this->Model->GetFile().toStdString());
+    WriteTextFile(this->GetAutosaveFile("json").toStdString(), this->Model->GetText());
   }
   catch (const std::exception&) // a full disk must not disturb the work; saving will tell
   {
@@ -103,44 +108,59 @@ void Session::Autosave()
 
 void Session::RemoveAutosave()
 {
-  const qint64 process = QCoreApplication::applicationPid();
-  QFile::remove(AutosaveFile(process, "json"));
-  QFile::remove(AutosaveFile(process, "txt"));
+  QFile::remove(this->GetAutosaveFile("json"));
+  QFile::remove(this->GetAutosaveFile("txt"));
+  this->Lock.reset();
 }
 
 void Session::OfferRecovery()
 {
   const QDir folder(GetAutosaveFolder());
-  for (const QFileInfo& info :
+  for (const QFileInfo& kept :
     folder.entryInfoList({ QStringLiteral("studio-*.json") }, QDir::Files, QDir::Time))
   {
-    const qint64 process = EndedProcess(info);
-    if (process == 0)
+    const QString base = kept.path() + QLatin1Char('/') + kept.completeBaseName();
+    const std::unique_ptr<QLockFile> lock = TakeOver(base + QStringLiteral(".lock"));
+    if (!lock)
     {
-      continue;
+      continue; // its program still runs
     }
-    const QString pathFile = AutosaveFile(process, "txt");
-    try
+    const bool isTaken = this->Recover(kept);
+    QFile::remove(kept.filePath());
+    QFile::remove(base + QStringLiteral(".txt"));
+    if (isTaken)
     {
-      const std::string text = ReadTextFile(info.filePath().toStdString());
-      const QString file = QFileInfo::exists(pathFile)
-        ? QString::fromStdString(ReadTextFile(pathFile.toStdString()))
-        : QString();
-      const auto answer = QMessageBox::question(this->Window, tr("Unsaved study"),
-        tr("PEMesh Studio ended without saving %1, last changed on %2. Bring it back?")
-          .arg(file.isEmpty() ? tr("a new study") : file,
-            QLocale().toString(info.lastModified(), QLocale::ShortFormat)));
-      if (answer == QMessageBox::Yes)
-      {
-        this->Model->Recover(text, file);
-        emit this->Opened();
-      }
+      return;
     }
-    catch (const std::exception&) // not readable, so nothing to bring back
+  }
+}
+
+/** Whether the user wants it. */
+bool Session::Recover(const QFileInfo& kept)
+{
+  const QString pathFile = kept.path() + QLatin1Char('/') + kept.completeBaseName() + ".txt";
+  try
+  {
+    const std::string text = ReadTextFile(kept.filePath().toStdString());
+    const QString file = QFileInfo::exists(pathFile)
+      ? QString::fromStdString(ReadTextFile(pathFile.toStdString()))
+      : QString();
+    const auto answer = QMessageBox::question(this->Window, tr("Unsaved study"),
+      tr("PEMesh Studio ended without saving %1, last changed on %2. Bring it back?")
+        .arg(file.isEmpty() ? tr("a new study") : file,
+          QLocale().toString(kept.lastModified(), QLocale::ShortFormat)));
+    if (answer != QMessageBox::Yes)
     {
+      return false;
     }
-    QFile::remove(info.filePath());
-    QFile::remove(pathFile);
+    this->Model->Recover(text, file);
+    this->Autosave(); // before what it comes from goes
+    emit this->Opened();
+    return true;
+  }
+  catch (const std::exception&) // not readable, so nothing to bring back
+  {
+    return false;
   }
 }
 

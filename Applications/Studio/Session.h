@@ -14,6 +14,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <memory>
+
+class QLockFile;
+class QFileInfo;
 class QMenu;
 class QTimer;
 class QWidget;
@@ -34,7 +38,10 @@ public:
   bool OpenFiles(const QStringList& files);
   /** True if nothing is lost by going on: saved, or the user does not mind. */
   bool ConfirmDiscard();
-  /** A study that was not saved when the program ended, if there is one and the user wants it. */
+  /**
+   * Studies that were not saved when a program ended, one after the other until the user takes one;
+   * those behind it are offered the next time.
+   */
   void OfferRecovery();
   void FillRecentMenu(QMenu* menu);
   /** Where results of the study go. */
@@ -59,12 +66,16 @@ signals:
 
 private:
   void Remember(const QString& file);
+  QString GetAutosaveFile(const char* ending) const;
   void RemoveAutosave();
+  bool Recover(const QFileInfo& kept);
   bool SaveTo(const QString& file);
 
   StudyModel* Model;
   QWidget* Window;
   QTimer* AutosaveTimer;
+  QString Identity;                // of what is kept, among those of other windows
+  std::unique_ptr<QLockFile> Lock; // held while there is something kept
 };
 
 } // namespace pemesh

@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolutionPanels.h"
 
+#include "ArrayValues.h"
 #include "ColumnLabels.h"
+#include "GeometryPanels.h"
 #include "ResultPanels.h"
 #include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "vtkPEMChart.h"
 #include "vtkPEMMeshView.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include <vtkCellData.h>
@@ -45,13 +46,7 @@ void ShareRange(vtkPolyData* mesh, const std::string& run, vtkPEMMeshView* a, vt
   double range[2] = { INFINITY, -INFINITY };
   for (const char* name : { "_Solution", "_GroundTruth" })
   {
-    if (vtkDataArray* values = mesh->GetPointData()->GetArray((run + name).c_str()))
-    {
-      double own[2];
-      values->GetFiniteRange(own);
-      range[0] = std::min(range[0], own[0]);
-      range[1] = std::max(range[1], own[1]);
-    }
+    ExtendRange(mesh->GetPointData()->GetArray((run + name).c_str()), range);
   }
   if (a && b && range[0] < range[1])
   {
@@ -112,7 +107,7 @@ PanelList MakePerformancePanels(
     {
       StudyPlot plot;
       plot.Kind = "line";
-      plot.X = study.Sweep.size() == 1 ? study.Sweep.front().Name : "Index";
+      plot.X = AbscissaOf(study);
       plot.Y = { column };
       plot.Log = performance.Scale == "log" ? "y" : "";
       panels.emplace_back(MakeResultChart(plot, results, labels));

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverPage.h"
 
+#include "FailureList.h"
+#include "GeometryPanels.h"
 #include "Icons.h"
 #include "OptionForm.h"
 #include "PanelView.h"
 #include "ResultSet.h"
-#include "RunController.h"
+#include "RunBox.h"
 #include "Selection.h"
 #include "SolutionPanels.h"
 #include "SolverDescriptionFile.h"
@@ -16,29 +18,28 @@
 
 #include <QComboBox>
 #include <QFileDialog>
-#include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QTabWidget>
-#include <QTableWidget>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include <algorithm>
-#include <cmath>
 
 #include <vtkTable.h>
-#include <vtkVariant.h>
 
 namespace pemesh
 {
 
 namespace
 {
+
+constexpr int ChartColumns = 3;
+constexpr int ChartHeight = 210; // pixels, at least
+constexpr const char* DefaultSolver = "pemesh-vem";
 
 QLabel* MakeHeading(const QString& text, QWidget* parent)
 {
@@ -71,17 +72,12 @@ SolverPage::SolverPage(StudyModel* model, ResultSet* results, RunController* con
   connect(results, &ResultSet::Changed, this, &SolverPage::ShowResults);
   connect(results, &ResultSet::PictureChanged, this, &SolverPage::ShowSolutions);
   connect(selection, &Selection::CaseChanged, this, &SolverPage::ShowCase);
-  connect(controller, &RunController::Started, this, &SolverPage::ShowRunning);
-  connect(controller, &RunController::Finished, this, &SolverPage::ShowRunning);
-  connect(controller, &RunController::Progressed, this,
-    [this](double fraction)
-    {
-      this->Progress->setValue(static_cast<int>(std::lround(fraction * 1000.0)));
-      this->State->setText(tr("Running, %1 s").arg(this->Controller->GetSeconds(), 0, 'f', 1));
-    });
+  connect(selection, &Selection::CasesMarked, this,
+    [this] { this->Charts->SetHighlightedRows(this->Selected->GetMarkedCases()); });
+  connect(selection, &Selection::ElementsMarked, this,
+    [this] { this->Solutions->SetHighlightedRows(this->Selected->GetMarkedElements()); });
   this->ShowRuns();
   this->ShowResults();
-  this->ShowRunning();
 }
 
 QWidget* SolverPage::MakeLeft()
@@ -109,11 +105,14 @@ QWidget* SolverPage::MakeLeft()
         this->Known->count() - 1, QString::fromStdString(found.Description.Label), Qt::ToolTipRole);
     }
   }
+  this->Known->setCurrentText(QString::fromLatin1(DefaultSolver));
   auto* add = new QPushButton(MakeIcon("add"), tr("Add"), panel);
+  add->setObjectName(QStringLiteral("addSolver"));
   connect(
     add, &QPushButton::clicked, this, [this] { this->AddSolver(this->Known->currentText()); });
   auto* file = new QToolButton(panel);
   file->setIcon(MakeIcon("open"));
+  file->setAccessibleName(tr("Add from a file"));
   file->setToolTip(tr("Add a solver described by a file"));
   connect(file, &QToolButton::clicked, this,
     [this]
@@ -127,6 +126,7 @@ QWidget* SolverPage::MakeLeft()
     });
   auto* remove = new QToolButton(panel);
   remove->setIcon(MakeIcon("delete"));
+  remove->setAccessibleName(tr("Remove solver"));
   remove->setToolTip(tr("Remove the selected solver"));
   connect(remove, &QToolButton::clicked, this,
     [this]
@@ -149,40 +149,14 @@ QWidget* SolverPage::MakeLeft()
   scroll->setWidget(this->Form);
   scroll->setWidgetResizable(true);
   layout->addWidget(scroll, 1);
-  layout->addWidget(this->MakeRunBox());
+  auto* run = new RunBox(this->Controller, panel);
+  connect(run, &RunBox::RunWanted, this, &SolverPage::RunWanted);
+  connect(run, &RunBox::SomeWanted, this, &SolverPage::SomeWanted);
+  layout->addWidget(run);
   connect(this->Runs, &QListWidget::currentRowChanged, this,
     [this](int row)
     { this->Form->SetPath(row < 0 ? std::string() : "solvers[" + std::to_string(row) + "]"); });
   return panel;
-}
-
-QWidget* SolverPage::MakeRunBox()
-{
-  auto* box = new QWidget(this);
-  auto* layout = new QVBoxLayout(box);
-  layout->setContentsMargins(0, 0, 0, 0);
-  this->RunButton = new QPushButton(tr("Run all meshes"), box);
-  this->RunButton->setObjectName(QStringLiteral("primary"));
-  this->StopButton = new QPushButton(tr("Stop and keep"), box);
-  this->StopButton->setToolTip(tr("End the run and keep the meshes that are done"));
-  this->CancelButton = new QPushButton(tr("Cancel"), box);
-  this->CancelButton->setToolTip(tr("End the run and keep the results of the run before"));
-  this->Progress = new QProgressBar(box);
-  this->Progress->setRange(0, 1000);
-  this->Progress->setTextVisible(false);
-  this->State = new QLabel(box);
-  this->State->setObjectName(QStringLiteral("muted"));
-  layout->addWidget(this->State);
-  layout->addWidget(this->Progress);
-  layout->addWidget(this->RunButton);
-  auto* line = new QHBoxLayout;
-  line->addWidget(this->StopButton);
-  line->addWidget(this->CancelButton);
-  layout->addLayout(line);
-  connect(this->RunButton, &QPushButton::clicked, this, &SolverPage::RunWanted);
-  connect(this->StopButton, &QPushButton::clicked, this->Controller, &RunController::Stop);
-  connect(this->CancelButton, &QPushButton::clicked, this->Controller, &RunController::Cancel);
-  return box;
 }
 
 QWidget* SolverPage::MakeRight()
@@ -209,8 +183,21 @@ QWidget* SolverPage::MakeRight()
   this->Solutions->SetHint(tr("Add a solver and run the study: the solution, the ground truth and "
                               "the error of each mesh are shown here."));
   this->Solutions->SetLinked(true);
-  connect(this->Selected, &Selection::MetricChanged, this, &SolverPage::ShowSolutions);
+  connect(this->Selected, &Selection::MetricChanged, this,
+    [this]
+    {
+      this->ShowSolutions();
+      this->ShowCharts();
+    });
+  this->Solutions->setAccessibleName(tr("Solution, ground truth and error"));
+  connect(this->Solutions, &PanelView::Picked, this,
+    [this](int, const ChartPick& pick) { this->Selected->SetElement(pick.Element); });
+  connect(this->Solutions, &PanelView::RowsSelected, this,
+    [this](int, const std::vector<vtkIdType>& rows) { this->Selected->MarkElements(rows); });
   this->Charts = new PanelView(this->Tabs);
+  this->Charts->setAccessibleName(tr("Charts of the performances"));
+  connect(this->Charts, &PanelView::RowsSelected, this,
+    [this](int, const std::vector<vtkIdType>& rows) { this->Selected->MarkCases(rows); });
   connect(this->Charts, &PanelView::Picked, this,
     [this](int, const ChartPick& pick)
     {
@@ -222,26 +209,19 @@ QWidget* SolverPage::MakeRight()
   this->Charts->SetHint(
     tr("Run the study with a solver: its performances over the meshes are shown "
        "here."));
-  auto* failures = new QWidget(this->Tabs);
-  auto* column = new QVBoxLayout(failures);
-  column->setContentsMargins(0, 0, 0, 0);
-  this->Failures = new QTableWidget(0, 4, failures);
-  this->Failures->setHorizontalHeaderLabels(
-    { tr("Mesh"), tr("Stage"), tr("Status"), tr("What happened") });
-  this->Failures->horizontalHeader()->setStretchLastSection(true);
-  this->Failures->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  this->Failures->setSelectionBehavior(QAbstractItemView::SelectRows);
-  this->Failures->verticalHeader()->hide();
-  this->Failures->setAccessibleName(tr("Failures"));
-  this->FailureLog = new QLabel(failures);
-  this->FailureLog->setWordWrap(true);
-  this->FailureLog->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  this->FailureLog->setMargin(12);
-  column->addWidget(this->Failures, 1);
-  column->addWidget(this->FailureLog);
+  this->Failures = new FailureList(this->Results, this->Selected, this->Tabs);
   this->Tabs->addTab(this->Solutions, tr("Solution"));
-  this->Tabs->addTab(this->Charts, tr("Performances"));
-  this->Tabs->addTab(failures, tr("Failures"));
+  auto* scroll = new QScrollArea(this->Tabs);
+  scroll->setWidget(this->Charts);
+  scroll->setWidgetResizable(true);
+  connect(this->Charts, &PanelView::Repainted, this,
+    [this]
+    {
+      const int rows = (this->Charts->GetNumberOfPanels() + ChartColumns - 1) / ChartColumns;
+      this->Charts->setMinimumHeight(rows * ChartHeight);
+    });
+  this->Tabs->addTab(scroll, tr("Performances"));
+  this->Tabs->addTab(this->Failures, tr("Failures"));
   this->Cases = new TimeBar(panel);
   layout->addWidget(this->Tabs, 1);
   layout->addWidget(this->Cases);
@@ -251,7 +231,6 @@ QWidget* SolverPage::MakeRight()
       this->ShowSolutions();
       this->ShowCharts();
     });
-  connect(this->Failures, &QTableWidget::currentCellChanged, this, &SolverPage::ShowFailureLog);
   connect(this->Cases, &TimeBar::PlaceChanged, this,
     [this](double place) { this->Selected->SetCase(static_cast<int>(place)); });
   return panel;
@@ -322,17 +301,6 @@ void SolverPage::ShowRuns()
   }
 }
 
-void SolverPage::ShowRunning()
-{
-  const bool running = this->Controller->IsRunning();
-  this->RunButton->setEnabled(!running);
-  this->StopButton->setEnabled(running);
-  this->CancelButton->setEnabled(running);
-  this->Progress->setVisible(running);
-  this->Progress->setValue(0);
-  this->State->setText(running ? tr("Running") : QString());
-}
-
 void SolverPage::ShowResults()
 {
   this->Shown->clear();
@@ -346,7 +314,8 @@ void SolverPage::ShowResults()
   this->Shown->setVisible(this->Shown->count() > 1);
   this->Cases->SetCount(this->Results->GetNumberOfCases());
   this->ShowCase(this->Selected->GetCase());
-  this->ShowFailures();
+  const int failures = this->Failures->GetCount();
+  this->Tabs->setTabText(2, failures == 0 ? tr("Failures") : tr("Failures (%1)").arg(failures));
   this->ShowCharts();
   this->ShowSolutions();
 }
@@ -356,8 +325,6 @@ void SolverPage::ShowCase(int index)
   this->Cases->SetPlace(index);
   this->Cases->SetText(this->Results->GetMeshName(index));
   this->Results->ShowCase(index);
-  this->Charts->SetHighlightedRows(
-    index < 0 ? std::vector<vtkIdType>() : std::vector<vtkIdType>{ index });
 }
 
 void SolverPage::ShowSolutions()
@@ -400,41 +367,15 @@ void SolverPage::ShowCharts()
     this->Charts->SetMaker({});
     return;
   }
-  this->Charts->SetMaker([run, kept = vtkSmartPointer<vtkTable>(table),
-                           study = *this->Results->GetStudy(), labels = this->Results->GetLabels()]
-    { return MakePerformancePanels(study, run, kept, *labels); });
-}
-
-void SolverPage::ShowFailures()
-{
-  vtkTable* failures = this->Results->GetFailures();
-  const int count = failures ? static_cast<int>(failures->GetNumberOfRows()) : 0;
-  this->Failures->setRowCount(count);
-  const char* columns[] = { "Mesh", "Stage", "Status", "Message" };
-  for (int row = 0; row < count; ++row)
-  {
-    for (int column = 0; column < 4; ++column)
+  this->Charts->SetMaker(
+    [run, kept = vtkSmartPointer<vtkTable>(table), study = *this->Results->GetStudy(),
+      labels = this->Results->GetLabels(), metric = this->Selected->GetMetric().toStdString()]
     {
-      this->Failures->setItem(row, column,
-        new QTableWidgetItem(
-          QString::fromStdString(failures->GetValueByName(row, columns[column]).ToString())));
-    }
-  }
-  this->FailureLog->setText(count == 0 ? tr("No failures.") : tr("Select a failure to read it."));
-  this->Tabs->setTabText(2, count == 0 ? tr("Failures") : tr("Failures (%1)").arg(count));
-}
-
-void SolverPage::ShowFailureLog(int row)
-{
-  QTableWidgetItem* mesh = this->Failures->item(row, 0);
-  QTableWidgetItem* stage = this->Failures->item(row, 1);
-  QTableWidgetItem* message = this->Failures->item(row, 3);
-  if (mesh && stage && message)
-  {
-    this->FailureLog->setText(
-      tr("%1\n\nFiles of the solver: %2/solvers/%3/%4")
-        .arg(message->text(), this->Results->GetFolder(), stage->text(), mesh->text()));
-  }
+      PanelList panels = MakePerformancePanels(study, run, kept, *labels);
+      panels.push_back(MakeMetricChart(metric, { kept, labels, {}, AbscissaOf(study), {} }, false));
+      return panels;
+    },
+    ChartColumns);
 }
 
 } // namespace pemesh

@@ -10,18 +10,15 @@
 #include <QWidget>
 
 class QComboBox;
-class QLabel;
 class QListWidget;
-class QProgressBar;
-class QPushButton;
 class QTabWidget;
-class QTableWidget;
 class QToolButton;
 
 namespace pemesh
 {
 
 struct FormField;
+class FailureList;
 class OptionForm;
 class PanelView;
 class ResultSet;
@@ -44,14 +41,14 @@ public:
   PanelView* GetSolutions() const { return this->Solutions; }
   PanelView* GetCharts() const { return this->Charts; }
   SurfaceWindow* GetSurface() const { return this->Surface; }
-  QTableWidget* GetFailures() const { return this->Failures; }
+  FailureList* GetFailures() const { return this->Failures; }
 
 signals:
   void RunWanted();
+  void SomeWanted();
 
 private:
   QWidget* MakeLeft();
-  QWidget* MakeRunBox();
   QWidget* MakeRight();
   void ShowRuns();
   void ShowResults();
@@ -59,9 +56,6 @@ private:
   void ShowSolutions();
   void ShowCharts();
   void ShowSurfaces();
-  void ShowFailures();
-  void ShowFailureLog(int row);
-  void ShowRunning();
   std::vector<FormField> DescribeOptions(int run) const;
 
   StudyModel* Model;
@@ -71,19 +65,13 @@ private:
   QListWidget* Runs = nullptr;
   QComboBox* Known = nullptr;
   OptionForm* Form = nullptr;
-  QPushButton* RunButton = nullptr;
-  QPushButton* StopButton = nullptr;
-  QPushButton* CancelButton = nullptr;
-  QProgressBar* Progress = nullptr;
-  QLabel* State = nullptr;
   QTabWidget* Tabs = nullptr;
   QComboBox* Shown = nullptr;
   QToolButton* Surfaces = nullptr;
   SurfaceWindow* Surface = nullptr;
   PanelView* Solutions = nullptr;
   PanelView* Charts = nullptr;
-  QTableWidget* Failures = nullptr;
-  QLabel* FailureLog = nullptr;
+  FailureList* Failures = nullptr;
   TimeBar* Cases = nullptr;
 };
 

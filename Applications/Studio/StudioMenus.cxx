@@ -74,6 +74,9 @@ void StudioWindow::MakeMenus()
   run->addAction(this->RunAction);
   connect(this->AddAction(run, "solver", tr("Run with the default &solver"), {}),
     &QAction::triggered, this, &StudioWindow::RunWithSolver);
+  run->addAction(this->RunSomeAction);
+  run->addSeparator();
+  run->addAction(this->PauseAction);
   run->addAction(this->StopAction);
   run->addAction(this->CancelAction);
   this->MakeHelpMenu();

@@ -19,7 +19,6 @@
 
 #include <QAction>
 #include <QButtonGroup>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -34,15 +33,12 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include <cmath>
-
 namespace pemesh
 {
 
 namespace
 {
 constexpr double FirstPlace = 0.5;
-constexpr const char* DefaultSolver = "pemesh-vem";
 }
 
 StudioWindow::StudioWindow(QWidget* parent)
@@ -59,13 +55,13 @@ StudioWindow::StudioWindow(QWidget* parent)
   this->Log = new LogDock(this->Selected, this);
   this->addDockWidget(Qt::BottomDockWidgetArea, this->Log);
   this->Log->hide();
+  this->ConnectRuns(); // before the pages, which show what it says
   this->MakePages();
   this->MakeStatusBar();
   this->MakeToolBar();
   this->MakeMenus();
   connect(this->Model, &StudyModel::FileChanged, this, &StudioWindow::ShowTitle);
   connect(this->Model, &StudyModel::Changed, this, &StudioWindow::ShowTitle);
-  connect(this->Files, &Session::Opened, this, &StudioWindow::LoadKeptResults);
   connect(this->Preview, &StudyPreview::BusyChanged, this, &StudioWindow::ShowRunning);
   connect(this->Preview, &StudyPreview::PictureChanged, this,
     [this] { this->SaveMeshAction->setEnabled(this->Preview->GetPicture() != nullptr); });
@@ -73,13 +69,7 @@ StudioWindow::StudioWindow(QWidget* parent)
     [this](const QString& sentence) { this->Log->Tell(sentence, true); });
   connect(this->Results, &ResultSet::PictureChanged, this,
     [this] { this->Log->SetPicture(this->Results->GetPicture()); });
-  connect(this->Controller, &RunController::Started, this, &StudioWindow::ShowRunning);
-  connect(this->Controller, &RunController::Told, this,
-    [this](const QString& line) { this->Log->Tell(line); });
-  connect(this->Controller, &RunController::Progressed, this,
-    [this](double fraction)
-    { this->Progress->setValue(static_cast<int>(std::lround(fraction * 1000.0))); });
-  connect(this->Controller, &RunController::Finished, this, &StudioWindow::FinishRun);
+  this->MakeReachable();
   this->ShowTitle();
   this->ShowPage(MeshPageIndex);
   this->resize(1360, 860);
@@ -112,11 +102,28 @@ void StudioWindow::MakePages()
   this->setCentralWidget(center);
   this->MakeNavigation();
   const auto tell = [this](const QString& text) { this->statusBar()->showMessage(text, 8000); };
+  connect(this->Selected, &Selection::CasesMarked, this,
+    [this, tell]
+    {
+      if (const auto count = this->Selected->GetMarkedCases().size(); count > 1)
+      {
+        tell(tr("%1 meshes are marked").arg(count));
+      }
+    });
+  connect(this->Selected, &Selection::ElementsMarked, this,
+    [this, tell]
+    {
+      if (const auto count = this->Selected->GetMarkedElements().size(); count > 1)
+      {
+        tell(tr("%1 elements are marked").arg(count));
+      }
+    });
   connect(this->Meshes, &MeshPage::Told, this, tell);
   connect(this->Geometry, &GeometryPage::Told, this, tell);
   connect(this->Geometry, &GeometryPage::RunWanted, this, &StudioWindow::Run);
   connect(this->Geometry, &GeometryPage::PictureShown, this->Log, &LogDock::SetPicture);
   connect(this->Solver, &SolverPage::RunWanted, this, &StudioWindow::Run);
+  connect(this->Solver, &SolverPage::SomeWanted, this, &StudioWindow::RunSome);
   connect(this->Correlation, &CorrelationPage::Told, this, tell);
   connect(this->Correlation, &CorrelationPage::RunWanted, this, &StudioWindow::RunWithSolver);
   connect(this->Correlation, &CorrelationPage::MeshWanted, this,
@@ -190,15 +197,33 @@ void StudioWindow::MakeToolBar()
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
   this->RunAction = add("run", tr("Run study"), QKeySequence(Qt::Key_F5));
+  this->PauseAction =
+    add("pause", tr("Pause the run"), QKeySequence(QStringLiteral("Ctrl+Shift+F5")));
   this->StopAction =
     add("stop", tr("Stop and keep what is done"), QKeySequence(QStringLiteral("Shift+F5")));
   this->CancelAction = add("cancel", tr("Cancel the run"), QKeySequence(QStringLiteral("Ctrl+F5")));
   connect(this->RunAction, &QAction::triggered, this, &StudioWindow::Run);
+  connect(this->PauseAction, &QAction::triggered, this->Controller, &RunController::Pause);
   connect(this->StopAction, &QAction::triggered, this->Controller, &RunController::Stop);
   connect(this->CancelAction, &QAction::triggered, this->Controller, &RunController::Cancel);
+  this->RunSomeAction = new QAction(MakeIcon("run"), tr("Run some &meshes …"), this);
+  this->RunSomeAction->setShortcut(QKeySequence(QStringLiteral("Alt+F5")));
+  connect(this->RunSomeAction, &QAction::triggered, this, &StudioWindow::RunSome);
   auto* run = qobject_cast<QToolButton*>(bar->widgetForAction(this->RunAction));
   run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   this->ShowRunning();
+}
+
+/** Tool buttons take part in the order of Tab, which Qt leaves them out of. */
+void StudioWindow::MakeReachable()
+{
+  for (const QToolBar* bar : this->findChildren<QToolBar*>())
+  {
+    for (QToolButton* button : bar->findChildren<QToolButton*>())
+    {
+      button->setFocusPolicy(Qt::TabFocus);
+    }
+  }
 }
 
 void StudioWindow::MakeStatusBar()
@@ -226,107 +251,9 @@ void StudioWindow::ShowTitle()
   this->setWindowModified(this->Model->IsModified());
 }
 
-void StudioWindow::ShowRunning()
-{
-  const bool running = this->Controller->IsRunning();
-  this->RunAction->setEnabled(!running);
-  for (QAction* action : { this->StopAction, this->CancelAction })
-  {
-    action->setEnabled(running);
-    action->setVisible(running);
-  }
-  this->Progress->setVisible(running);
-  this->Status->setText(running ? tr("Running …")
-      : this->Preview->IsBusy() ? tr("Meshing …")
-                                : QString());
-}
-
 bool StudioWindow::OpenFiles(const QStringList& files)
 {
   return this->Files->OpenFiles(files);
-}
-
-void StudioWindow::Run()
-{
-  if (this->Controller->IsRunning())
-  {
-    return;
-  }
-  if (!this->Model->GetFault().isEmpty())
-  {
-    this->Log->ShowLog();
-    this->Log->Tell(this->Model->GetFault(), true);
-    return;
-  }
-  this->Progress->setValue(0);
-  this->Log->Tell(tr("Running %1").arg(this->Model->GetTitle()));
-  this->Controller->Start(
-    this->Model->GetText(), this->Model->GetFolder(), this->Files->GetOutputFolder());
-}
-
-void StudioWindow::RunWithSolver()
-{
-  if (this->Model->GetStudy().Solvers.empty())
-  {
-    this->Solver->AddSolver(QString::fromLatin1(DefaultSolver));
-  }
-  this->ShowPage(SolverPageIndex);
-  this->Run();
-}
-
-void StudioWindow::FinishRun(bool isGood, const QString& folder, const QStringList& messages)
-{
-  this->ShowRunning();
-  for (const QString& message : messages)
-  {
-    this->Log->Tell(message, true);
-  }
-  this->Log->Tell(folder.isEmpty()
-      ? tr("The run was ended and nothing was kept.")
-      : tr("Done in %1 s: %2").arg(this->Controller->GetSeconds(), 0, 'f', 1).arg(folder));
-  if (!isGood && folder.isEmpty() && !messages.isEmpty())
-  {
-    this->Log->ShowLog();
-  }
-  if (!folder.isEmpty())
-  {
-    this->Results->Load(folder);
-  }
-  if (this->ClosesAfterRun)
-  {
-    this->close();
-  }
-}
-
-/** Of the study that was opened, where it was run before; nothing runs unasked. */
-void StudioWindow::LoadKeptResults()
-{
-  this->Results->Clear();
-  this->Selected->SetCase(-1);
-  const QString folder = this->Files->GetOutputFolder();
-  if (!this->Model->GetFile().isEmpty() && QFile::exists(folder + QStringLiteral("/results.csv")))
-  {
-    this->Results->Load(folder);
-  }
-}
-
-void StudioWindow::closeEvent(QCloseEvent* event)
-{
-  if (this->Controller->IsRunning())
-  {
-    this->ClosesAfterRun = true;
-    this->Controller->Cancel(); // FinishRun closes the window
-    event->ignore();
-    return;
-  }
-  if (!this->Files->ConfirmDiscard())
-  {
-    this->ClosesAfterRun = false;
-    event->ignore();
-    return;
-  }
-  QSettings().setValue(QStringLiteral("geometry"), this->saveGeometry());
-  event->accept();
 }
 
 void StudioWindow::dragEnterEvent(QDragEnterEvent* event)

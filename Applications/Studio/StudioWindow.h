@@ -7,7 +7,10 @@
 #ifndef pemesh_StudioWindow_h
 #define pemesh_StudioWindow_h
 
+#include <QDateTime>
 #include <QMainWindow>
+
+#include <vector>
 
 class QAction;
 class QButtonGroup;
@@ -15,6 +18,7 @@ class QLabel;
 class QMenu;
 class QProgressBar;
 class QStackedWidget;
+class QTimer;
 
 namespace pemesh
 {
@@ -60,9 +64,12 @@ public:
   void ShowPage(int page);
 
 public slots:
-  /** Runs the study as it stands, with the default solver where it names none and is asked to. */
+  /** Runs the study as it stands, or continues the run that is paused. */
   void Run();
+  /** With the default solver where the study names none. */
   void RunWithSolver();
+  /** Asks which meshes. */
+  void RunSome();
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -78,6 +85,7 @@ private:
   void MakeHelpMenu();
   void MakeToolBar();
   void MakeStatusBar();
+  void MakeReachable();
   QAction* AddAction(QMenu* menu, const char* icon, const QString& text, const QKeySequence& key);
   void ShowTitle();
   void ShowRunning();
@@ -87,7 +95,12 @@ private:
   void ShowPlotSettings();
   void ShowReference(const QString& title, const QString& markdown);
   void OpenResults();
+  void ConnectRuns();
+  void StartRun(const std::vector<int>& cases, bool continues);
+  void ShowHalfWay();
+  void KeepSelection();
   void LoadKeptResults();
+  void LoadResultsOf(const QString& folder);
   void ShowAbout();
 
   StudyModel* Model;
@@ -108,11 +121,18 @@ private:
   QAction* UndoAction = nullptr;
   QAction* RedoAction = nullptr;
   QAction* RunAction = nullptr;
+  QAction* RunSomeAction = nullptr;
+  QAction* PauseAction = nullptr;
   QAction* StopAction = nullptr;
   QAction* CancelAction = nullptr;
   QProgressBar* Progress = nullptr;
   QLabel* Status = nullptr;
+  QString MeshInView; // its name, which stays when its row does not
+  QTimer* HalfWayTimer = nullptr;
+  QDateTime HalfWayTime; // of the table that is shown while a run goes on
   bool ClosesAfterRun = false;
+  bool IsHalfWay = false;         // what is shown comes from a run that did not end
+  bool IsRunOfOtherStudy = false; // another one was opened since it began
 };
 
 } // namespace pemesh

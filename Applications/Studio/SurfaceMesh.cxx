@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SurfaceMesh.h"
 
+#include "ArrayValues.h"
 #include "ElementAccess.h"
 #include "TriangulatePolygon.h"
 
@@ -22,45 +23,75 @@ namespace pemesh
 namespace
 {
 
-constexpr vtkIdType ElementsOfBlock = 20000;
+constexpr vtkIdType ElementsOfBlock = 8192;
 
-/** Some elements with points of their own: what is shared between blocks is doubled. */
-vtkSmartPointer<vtkPolyData> MakeBlock(
-  vtkPolyData* mesh, vtkDataArray* values, vtkIdType first, vtkIdType last)
+/** Some elements; points on the border of two blocks are in both. */
+class BlockMaker
 {
-  ElementAccess elements(mesh);
-  PolygonTriangulator triangulator;
-  vtkNew<vtkPoints> points;
-  points->SetDataType(VTK_DOUBLE);
-  vtkNew<vtkCellArray> triangles;
-  vtkNew<vtkDoubleArray> heights;
-  heights->SetName("Height");
-  std::vector<Point2> vertices;
-  std::vector<vtkIdType> ids;
-  for (vtkIdType element = first; element < last; ++element)
+public:
+  BlockMaker(vtkPolyData* mesh, vtkDataArray* values)
+    : Elements(mesh)
+    , Values(values)
+    , PointsOfBlock(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1)
   {
-    elements.GetVertices(element, vertices);
-    elements.GetVertexIds(element, ids);
-    const vtkIdType begin = points->GetNumberOfPoints();
-    for (std::size_t i = 0; i < ids.size(); ++i)
+  }
+
+  vtkSmartPointer<vtkPolyData> Make(vtkIdType first, vtkIdType last)
+  {
+    vtkNew<vtkPoints> points;
+    points->SetDataType(VTK_DOUBLE);
+    vtkNew<vtkCellArray> triangles;
+    vtkNew<vtkDoubleArray> heights;
+    heights->SetName("Height");
+    std::vector<vtkIdType> used;
+    for (vtkIdType element = first; element < last; ++element)
     {
-      const double value = values->GetTuple1(ids[i]);
-      points->InsertNextPoint(vertices[i].x, vertices[i].y, std::isfinite(value) ? value : 0.0);
-      heights->InsertNextValue(value);
+      this->Elements.GetVertices(element, this->Vertices);
+      this->Elements.GetVertexIds(element, this->Ids);
+      for (std::size_t i = 0; i < this->Ids.size(); ++i)
+      {
+        vtkIdType& point = this->PointsOfBlock[static_cast<std::size_t>(this->Ids[i])];
+        if (point < 0)
+        {
+          const double value = ValueOf(this->Values, this->Ids[i]);
+          point = points->InsertNextPoint(
+            this->Vertices[i].x, this->Vertices[i].y, std::isfinite(value) ? value : 0.0);
+          heights->InsertNextValue(value);
+          used.push_back(this->Ids[i]);
+        }
+        this->Ids[i] = point;
+      }
+      this->AddTriangles(triangles);
     }
-    for (const PolygonTriangle& triangle : triangulator.Triangulate(vertices))
+    for (const vtkIdType id : used)
     {
-      const vtkIdType corners[3] = { begin + triangle[0], begin + triangle[1],
-        begin + triangle[2] };
+      this->PointsOfBlock[static_cast<std::size_t>(id)] = -1;
+    }
+    auto block = vtkSmartPointer<vtkPolyData>::New();
+    block->SetPoints(points);
+    block->SetPolys(triangles);
+    block->GetPointData()->SetScalars(heights);
+    return block;
+  }
+
+private:
+  void AddTriangles(vtkCellArray* triangles)
+  {
+    for (const PolygonTriangle& triangle : this->Triangulator.Triangulate(this->Vertices))
+    {
+      const vtkIdType corners[3] = { this->Ids[triangle[0]], this->Ids[triangle[1]],
+        this->Ids[triangle[2]] };
       triangles->InsertNextCell(3, corners);
     }
   }
-  auto block = vtkSmartPointer<vtkPolyData>::New();
-  block->SetPoints(points);
-  block->SetPolys(triangles);
-  block->GetPointData()->SetScalars(heights);
-  return block;
-}
+
+  ElementAccess Elements;
+  vtkDataArray* Values;
+  PolygonTriangulator Triangulator;
+  std::vector<vtkIdType> PointsOfBlock; // by the points of the mesh; -1: not in it
+  std::vector<Point2> Vertices;         // of an element
+  std::vector<vtkIdType> Ids;
+};
 
 } // namespace
 
@@ -74,12 +105,16 @@ SurfaceMesh MakeSurface(
   {
     return surface;
   }
-  values->GetFiniteRange(surface.Range);
+  double range[2] = { INFINITY, -INFINITY };
+  if (ExtendRange(values, range))
+  {
+    std::copy_n(range, 2, surface.Range);
+  }
   const vtkIdType count = picture.GetNumberOfElements();
+  BlockMaker maker(mesh, values);
   for (vtkIdType first = 0; first < count && !stop; first += ElementsOfBlock)
   {
-    surface.Blocks.push_back(
-      MakeBlock(mesh, values, first, std::min(first + ElementsOfBlock, count)));
+    surface.Blocks.push_back(maker.Make(first, std::min(first + ElementsOfBlock, count)));
   }
   return surface;
 }

@@ -4,8 +4,9 @@
  * @class   SurfaceWindow
  * @brief   Solution and ground truth of a mesh as surfaces side by side: one camera, one scale.
  *
- * A window of its own, so that the others need no OpenGL. Large meshes are shown in blocks, one
- * uploaded in each turn of the event loop, and as an outline while they are moved.
+ * A window of its own, so that the others need no OpenGL. A mesh is drawn in blocks, some in each
+ * turn of the event loop on top of those before, so that the window answers however large it is;
+ * while it is moved a large one is an outline.
  */
 #ifndef pemesh_SurfaceWindow_h
 #define pemesh_SurfaceWindow_h
@@ -13,6 +14,7 @@
 #include "MeshPicture.h"
 #include "SurfaceMesh.h"
 
+#include <QElapsedTimer>
 #include <QWidget>
 
 #include <vector>
@@ -20,6 +22,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+class QBoxLayout;
 class QLabel;
 class QSlider;
 class QTimer;
@@ -43,9 +46,13 @@ public:
 
   /** The arrays <run>_Solution and <run>_GroundTruth of a mesh. */
   void SetMesh(const MeshPicturePointer& picture, const QString& run);
-  /** Whether all of it is there. */
+  /** Whether all of it is there to be seen. */
   bool IsComplete() const;
+  /** How long the last whole picture took, in milliseconds. */
+  qint64 GetFrameTime() const { return this->FrameTime; }
   RenderWidget* GetView() const { return this->View; }
+  /** Paints all of it anew. */
+  void BeginFrame();
 
 private:
   struct Side
@@ -53,30 +60,41 @@ private:
     vtkSmartPointer<vtkRenderer> Renderer;
     vtkSmartPointer<vtkActor> Outline;
     std::vector<vtkSmartPointer<vtkActor>> Actors;
-    SurfaceMesh Surface;
-    std::size_t Uploaded = 0;
   };
 
-  void MakeSide(double left, double right, const char* title);
+  QBoxLayout* MakeTitles();
+  QBoxLayout* MakeControls();
+  void MakeSide(double left, double right);
   void MakeLegend(double left, double right);
+  void WatchMouse();
   void Show(const SurfaceMesh& solution, const SurfaceMesh& truth);
-  void UploadNext();
-  void AddBlock(Side& side);
+  void AddBlocks(Side& side, const SurfaceMesh& surface);
+  void PaintNext();
+  void ShowBlocks(std::size_t first, std::size_t last);
   void ShowOutlines(bool moving);
   void ApplyHeight();
   void ResetCamera();
+  void GetBox(double bounds[6]) const;
   double GetZScale() const;
+  std::size_t GetNumberOfBlocks() const;
 
   RenderWidget* View;
   QSlider* Height;
   QLabel* Note;
   LatestJob* Job;
-  QTimer* UploadTimer;
+  QTimer* PaintTimer;
   vtkNew<vtkCamera> Camera;
   vtkNew<vtkLookupTable> Colors;
   std::vector<Side> Sides;
-  double Extent = 1.0; // of the mesh in the plane
+  QRectF Extent{ 0.0, 0.0, 1.0, 1.0 }; // of the mesh in the plane
   double Range[2] = { 0.0, 1.0 };
+  bool IsMoving = false;
+  bool IsPainting = false;     // a picture that is not whole yet
+  std::size_t NextBlock = 0;   // of the picture that is being painted
+  std::size_t BlocksATurn = 1; // as many as take little time
+  QElapsedTimer TurnClock;
+  QElapsedTimer FrameClock;
+  qint64 FrameTime = 0;
 };
 
 } // namespace pemesh

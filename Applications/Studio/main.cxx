@@ -3,6 +3,7 @@
 #include "Appearance.h"
 #include "Session.h"
 #include "StudioWindow.h"
+#include "Translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -60,6 +61,7 @@ int main(int argc, char* argv[])
   }
   QApplication application(argc, argv);
   QApplication::setApplicationDisplayName(QStringLiteral("PEMesh Studio"));
+  pemesh::InstallTranslations(application);
   QApplication::setDesktopFileName(QStringLiteral("pemesh-studio"));
   parser.process(application);
   pemesh::ApplyTheme(application,

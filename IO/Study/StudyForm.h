@@ -39,6 +39,7 @@ struct ValueForm
   double Greatest = std::numeric_limits<double>::infinity();
   bool ExcludesLeast = false;
   std::vector<std::string> Choices = {};
+  std::string WhenUnset = {}; ///< of a number that may be left out: whose value is in force then
 };
 
 /** One key that applies. */

@@ -20,7 +20,12 @@ Field<StudySolver> LimitField(const SolverLimit& limit)
     [member](const StudySolver& solver)
     { return solver.*member ? std::optional(JsonNumber(*(solver.*member))) : std::nullopt; },
     {}, {}, false, {}, {},
-    [](const StudySolver&) { return NumberRange{ .Least = 0.0 }.FormOf(ValueForm::Number); } };
+    [](const StudySolver&)
+    {
+      ValueForm form = NumberRange{ .Least = 0.0 }.FormOf(ValueForm::Number);
+      form.WhenUnset = "the solver's";
+      return form;
+    } };
 }
 
 /** The order of a run, for its name, or "". */

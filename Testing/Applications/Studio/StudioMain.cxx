@@ -10,15 +10,24 @@
 #include <QSettings>
 #include <QStandardPaths>
 
+#include <csignal>
 #include <cstdio>
-#include <cstring>
+
+#include <sys/prctl.h>
 
 namespace
 {
 
+constexpr const char* DisplayOfTests = "PEMESH_TEST_DISPLAY"; // for the programs that they start
+
 /** False if there is no display to be had. */
 bool StartDisplay(QProcess& server)
 {
+  if (qEnvironmentVariableIsSet(DisplayOfTests))
+  {
+    return true;
+  }
+  server.setChildProcessModifier([] { prctl(PR_SET_PDEATHSIG, SIGTERM); }); // even after a crash
   server.start(QStringLiteral("Xvfb"),
     { QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
       QStringLiteral("0"), QStringLiteral("1600x1000x24"), QStringLiteral("-nolisten"),
@@ -28,6 +37,7 @@ bool StartDisplay(QProcess& server)
     return false;
   }
   qputenv("DISPLAY", ":" + server.readLine().trimmed());
+  qputenv(DisplayOfTests, qgetenv("DISPLAY"));
   return true;
 }
 
@@ -58,7 +68,10 @@ int main(int argc, char* argv[])
     pemesh::ApplyTheme(application, pemesh::ThemeChoice::Light);
     result = RUN_ALL_TESTS();
   }
-  server.terminate();
-  server.waitForFinished();
+  if (server.state() != QProcess::NotRunning)
+  {
+    server.terminate();
+    server.waitForFinished();
+  }
   return result;
 }

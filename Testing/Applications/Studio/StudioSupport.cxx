@@ -37,7 +37,9 @@ void Keep(QWidget* widget, const char* name)
 {
   QTest::qWait(100); // what was asked for is painted
   const QString folder = qEnvironmentVariable("PEMESH_STUDIO_PICTURES", PEMESH_TEST_OUTPUT);
-  const QString file = QStringLiteral("%1/studio-%2.png").arg(folder, QLatin1String(name));
+  const QString density = widget->devicePixelRatioF() > 1.0 ? QStringLiteral("-dense") : QString();
+  const QString file =
+    QStringLiteral("%1/studio-%2%3.png").arg(folder, QLatin1String(name), density);
   EXPECT_TRUE(widget->grab().save(file)) << file.toStdString();
 }
 
@@ -55,6 +57,17 @@ std::string ReadFile(const std::string& path)
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
+}
+
+void Drag(QWidget* widget, const QPoint& from, const QPoint& to)
+{
+  QTest::mousePress(widget, Qt::LeftButton, {}, from);
+  for (int i = 1; i <= 8; ++i)
+  {
+    QTest::mouseMove(widget, from + (to - from) * i / 8);
+    QTest::qWait(5);
+  }
+  QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
 }
 
 Watchdog::Watchdog()

@@ -13,6 +13,7 @@
 #include <functional>
 #include <string>
 
+class QPoint;
 class QWidget;
 
 namespace studio_test
@@ -24,6 +25,9 @@ bool WaitFor(const std::function<bool()>& condition, int milliseconds = 60000);
 /** Saves a picture of a widget; kept as documentation where PEMESH_STUDIO_PICTURES names a folder.
  */
 void Keep(QWidget* widget, const char* name);
+
+/** Presses the left button, moves in some steps and lets it go. */
+void Drag(QWidget* widget, const QPoint& from, const QPoint& to);
 
 /** A new folder of this test. */
 std::string MakeFolder(const std::string& name);

@@ -2,16 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Appearance.h"
 #include "CorrelationPage.h"
+#include "FailureList.h"
 #include "GeometryPage.h"
 #include "LayoutCanvas.h"
 #include "LogDock.h"
 #include "MeshCanvas.h"
 #include "MeshPage.h"
+#include "MetricCharts.h"
 #include "PanelView.h"
 #include "ResultSet.h"
 #include "RunController.h"
 #include "Selection.h"
 #include "SolverPage.h"
+#include "StudioFixture.h"
 #include "StudioSupport.h"
 #include "StudioWindow.h"
 #include "StudyModel.h"
@@ -41,69 +44,13 @@
 #include <memory>
 
 using namespace pemesh;
+using studio_test::Drag;
 using studio_test::Keep;
+using studio_test::Studio;
 using studio_test::WaitFor;
 
 namespace
 {
-
-class Studio : public testing::Test
-{
-protected:
-  Studio()
-  {
-    this->Window.resize(1360, 860);
-    this->Window.show();
-    EXPECT_TRUE(QTest::qWaitForWindowExposed(&this->Window));
-  }
-
-  ~Studio() override { this->Window.GetModel()->MakeNew(); } // nothing to ask about
-
-  template <typename Widget>
-  Widget* Find(const char* name = nullptr) const
-  {
-    return this->Window.findChild<Widget*>(name ? QString::fromLatin1(name) : QString());
-  }
-
-  void AddFamily(const char* family)
-  {
-    QTest::mouseClick(this->Find<QToolButton>(family), Qt::LeftButton);
-  }
-
-  bool WaitForMesh()
-  {
-    return WaitFor([this]
-      { return !this->Window.GetPreview()->IsBusy() && this->Window.GetPreview()->GetPicture(); });
-  }
-
-  /** A study of a star in few steps with the bundled solver, saved into a folder of its own. */
-  std::filesystem::path MakeStudy(const std::string& name, int count)
-  {
-    const std::filesystem::path folder = studio_test::MakeFolder(name);
-    StudyModel* model = this->Window.GetModel();
-    this->AddFamily("family-star");
-    model->SetValue(
-      "polygons[0].center", { JsonValue::List{ JsonNumber(0.4), JsonNumber(0.6) } }, "move");
-    model->SetValue("sweep[0].count", JsonNumber(count), "count");
-    model->AddItem(
-      "solvers", { JsonValue::Object{ { "solver", { std::string("pemesh-vem") } } } }, "solver");
-    model->SetValue("name", { name }, "name");
-    model->Save(QString::fromStdString((folder / (name + ".json")).string()));
-    return folder;
-  }
-
-  bool Run()
-  {
-    this->Window.Run();
-    return WaitFor(
-      [this] {
-        return !this->Window.GetController()->IsRunning() && !this->Window.GetResults()->IsEmpty();
-      },
-      120000);
-  }
-
-  StudioWindow Window;
-};
 
 QPoint OnCanvas(const LayoutCanvas* canvas, double x, double y)
 {
@@ -124,17 +71,6 @@ QPoint FindLowestMark(const QImage& image)
     }
   }
   return {};
-}
-
-void Drag(QWidget* widget, const QPoint& from, const QPoint& to)
-{
-  QTest::mousePress(widget, Qt::LeftButton, {}, from);
-  for (int i = 1; i <= 8; ++i)
-  {
-    QTest::mouseMove(widget, from + (to - from) * i / 8);
-    QTest::qWait(5);
-  }
-  QTest::mouseRelease(widget, Qt::LeftButton, {}, to);
 }
 
 } // namespace
@@ -286,7 +222,7 @@ TEST_F(Studio, ANewUsersWholePath)
   EXPECT_TRUE(geometry->GetTable()->currentIndex().isValid()) << "linked to the table";
   Keep(&this->Window, "geometry");
   geometry->ShowView(1);
-  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetNumberOfPanels() > 20; }));
+  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetView()->GetNumberOfPanels() > 20; }));
   QTest::qWait(1500);
   Keep(&this->Window, "metrics");
   geometry->ShowView(2);
@@ -342,38 +278,23 @@ TEST_F(Studio, StoppingKeepsWhatIsDone)
   EXPECT_LT(this->Window.GetResults()->GetNumberOfCases(), 200);
 }
 
-TEST_F(Studio, ClosingDuringARunEndsItAndLeavesNothing)
-{
-  const std::filesystem::path folder = this->MakeStudy("close", 200);
-  int done = 0;
-  QObject::connect(
-    this->Window.GetController(), &RunController::Told, &this->Window, [&done] { ++done; });
-  this->Window.Run();
-  ASSERT_TRUE(WaitFor([&done] { return done > 1; }, 60000));
-  QElapsedTimer clock;
-  clock.start();
-  this->Window.close();
-  ASSERT_TRUE(WaitFor([this] { return !this->Window.isVisible(); }));
-  std::printf("closed in %lld ms\n", static_cast<long long>(clock.elapsed()));
-  EXPECT_FALSE(this->Window.GetController()->IsRunning());
-  EXPECT_FALSE(std::filesystem::exists(folder / "close.running"));
-  EXPECT_FALSE(std::filesystem::exists(folder / "close"));
-}
-
-TEST_F(Studio, TheFailuresOfASolverAreListedWithTheirFiles)
+TEST_F(Studio, TheFailuresOfASolverAreListedWithTheirLogs)
 {
   const std::filesystem::path folder = this->MakeStudy("failing", 2);
-  std::ofstream(folder / "broken.json")
-    << R"({"name": "broken", "command": ["false", "{mesh}", "{output}"], "mesh-format": "off"})";
+  std::ofstream(folder / "broken.json") << R"({"name": "broken", "mesh-format": "off",
+    "command": ["sh", "-c", "echo the matrix is singular >&2; exit 3", "{mesh}", "{output}"]})";
   this->Window.GetModel()->SetValue(
     "solvers[0]", { JsonValue::Object{ { "solver", { std::string("broken.json") } } } }, "solver");
   this->Window.ShowPage(StudioWindow::SolverPageIndex);
-  ASSERT_TRUE(this->Run()) << this->Window.GetLog()->GetText().toStdString();
+  ASSERT_TRUE(this->Run()) << this->GetLogText();
   auto* solver = this->Find<SolverPage>();
-  ASSERT_EQ(solver->GetFailures()->rowCount(), 2);
+  FailureList* failures = solver->GetFailures();
+  ASSERT_EQ(failures->GetCount(), 2);
   solver->GetTabs()->setCurrentIndex(2);
-  solver->GetFailures()->setCurrentCell(1, 0);
-  EXPECT_EQ(solver->GetFailures()->item(1, 1)->text(), "broken");
+  failures->GetTable()->setCurrentCell(0, 0);
+  EXPECT_EQ(this->Window.GetSelection()->GetCase(), 0) << "its mesh is selected everywhere";
+  EXPECT_EQ(failures->GetTable()->item(0, 1)->text(), "broken");
+  EXPECT_EQ(failures->GetLog(), "the matrix is singular");
   Keep(&this->Window, "failures");
 }
 
@@ -398,9 +319,9 @@ TEST_F(Studio, AMetricOpensOnTheWholeScreen)
   this->Window.ShowPage(StudioWindow::GeometryPageIndex);
   auto* geometry = this->Find<GeometryPage>();
   geometry->ShowView(1);
-  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetNumberOfPanels() > 20; }));
-  const QPoint at = geometry->GetCharts()->GetPainted().Boxes[2].center().toPoint();
-  QTest::mouseDClick(geometry->GetCharts(), Qt::LeftButton, {}, at);
+  ASSERT_TRUE(WaitFor([=] { return geometry->GetCharts()->GetView()->GetNumberOfPanels() > 20; }));
+  const QPoint at = geometry->GetCharts()->GetView()->GetPainted().Boxes[2].center().toPoint();
+  QTest::mouseDClick(geometry->GetCharts()->GetView(), Qt::LeftButton, {}, at);
   auto* detached = geometry->findChild<PanelView*>("detached");
   ASSERT_NE(detached, nullptr);
   EXPECT_TRUE(detached->isFullScreen());
