@@ -48,10 +48,10 @@ int main(int argc, char* argv[])
   QApplication::setApplicationName(QStringLiteral("pemesh-studio"));
   QApplication::setApplicationVersion(QStringLiteral(PEMESH_VERSION));
   QCommandLineParser parser;
-  Describe(parser);
   if (!HasDisplay(argc, argv))
   {
     const QCoreApplication application(argc, argv);
+    Describe(parser);
     parser.process(application); // --help and --version need no window
     std::fputs("pemesh-studio: there is no display to show a window on (DISPLAY and "
                "WAYLAND_DISPLAY are not set): start it on a desktop, or use pemesh, which needs "
@@ -61,8 +61,9 @@ int main(int argc, char* argv[])
   }
   QApplication application(argc, argv);
   QApplication::setApplicationDisplayName(QStringLiteral("PEMesh Studio"));
-  pemesh::InstallTranslations(application);
   QApplication::setDesktopFileName(QStringLiteral("pemesh-studio"));
+  pemesh::InstallTranslations(application);
+  Describe(parser);
   parser.process(application);
   pemesh::ApplyTheme(application,
     static_cast<pemesh::ThemeChoice>(QSettings().value(QStringLiteral("theme")).toInt()));
