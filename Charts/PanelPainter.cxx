@@ -19,7 +19,6 @@ namespace pemesh
 namespace
 {
 
-
 constexpr double LegendRow = 1.44; // text sizes
 constexpr double LegendGlyph = 1.9;
 constexpr double LegendGap = 0.45;
