@@ -64,8 +64,14 @@ std::vector<float> StripOfLine(
       low = std::min(low, middle);
       high = std::max(high, middle);
     }
-    std::size_t i = first;
-    for (; i < count && columnOf(i) == column; ++i)
+    const auto left = static_cast<float>(column * columnWidth);
+    const auto right = static_cast<float>((column + 1.0) * columnWidth);
+    // Compared with the ends of the column first, because a division a point takes most of the
+    // time.
+    const auto isIn = [&](std::size_t at)
+    { return (points[2 * at] >= left && points[2 * at] < right) || columnOf(at) == column; };
+    std::size_t i = first + 1;
+    for (; i < count && isIn(i); ++i)
     {
       low = std::min(low, points[2 * i + 1]);
       high = std::max(high, points[2 * i + 1]);

@@ -316,6 +316,10 @@ void MarkPainter::DrawLines(const ChartSeries& series)
     }
     run.clear();
   };
+  const Box& area = this->Place.Area;
+  const double perX = area.Width / (0.5 * (this->Place.X.High - this->Place.X.Low));
+  const double perY = area.Height / (0.5 * (this->Place.Y.High - this->Place.Y.Low));
+  run.reserve(2 * series.Y.size());
   for (std::size_t i = 0; i < series.Y.size(); ++i)
   {
     if (!IsPoint(series, i))
@@ -323,8 +327,11 @@ void MarkPainter::DrawLines(const ChartSeries& series)
       finish();
       continue;
     }
-    run.push_back(static_cast<float>(this->Place.DeviceX(series.PlacesX()[i])));
-    run.push_back(static_cast<float>(this->Place.DeviceY(series.PlacesY()[i])));
+    // As PlotPlacement, without a division a point.
+    const double x = 0.5 * series.PlacesX()[i] - 0.5 * this->Place.X.Low;
+    const double y = 0.5 * series.PlacesY()[i] - 0.5 * this->Place.Y.Low;
+    run.push_back(static_cast<float>(area.X + perX * x));
+    run.push_back(static_cast<float>(area.Y + perY * y));
   }
   finish();
 }

@@ -217,6 +217,10 @@ const BadFile BadFiles[] = {
     MatHead + "\x0e\0\0\0\x28\0\0\0\6\0\0\0\x08\0\0\0\1\0\0\0\0\0\0\0"s +
       "\5\0\0\0\x08\0\0\0\xff\xff\xff\x3f\1\0\0\0\1\0\4\0elem"s,
     "", "damaged" },
+  { "MatDimensionsOverflow", "m.mat", // four times 2^16
+    MatHead + "\x0e\0\0\0\x38\0\0\0\6\0\0\0\x08\0\0\0\6\0\0\0\0\0\0\0"s +
+      "\5\0\0\0\x10\0\0\0\0\0\1\0\0\0\1\0\0\0\1\0\0\0\1\0\1\0\4\0node\x09\0\0\0\0\0\0\0"s,
+    "", "damaged" },
   { "MatBadZip", "m.mat", MatHead + "\x0f\0\0\0\x08\0\0\0abcdefgh"s, "", "damaged" },
   { "UnknownExtension", "m.xyz", "0 0 0\n", "", "no extension of a mesh file" },
 };
