@@ -27,7 +27,7 @@ QMainWindow, QDialog { background: @window; }
 QToolTip { background: @panel; color: @text; border: 1px solid @border; padding: 4px; }
 QMenuBar { background: @window; }
 QToolBar { background: @window; border: 0; border-bottom: 1px solid @border; padding: 4px 8px;
-  spacing: 4px; }
+  spacing: 2px; }
 QToolBar::separator { background: @border; width: 1px; margin: 6px 6px; }
 QToolButton { border: 1px solid transparent; border-radius: 6px; padding: 5px 8px; }
 QToolButton:hover { background: @soft; }

@@ -76,7 +76,7 @@ MeshPage::MeshPage(StudyModel* model, StudyPreview* preview, QWidget* parent)
   splitter->addWidget(this->MakeMiddle());
   splitter->addWidget(this->MakeRight());
   splitter->setStretchFactor(1, 1);
-  splitter->setSizes({ 190, 640, 340 });
+  splitter->setSizes({ 190, 636, 356 });
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(splitter);
@@ -259,7 +259,7 @@ QWidget* MeshPage::MakeRight()
   this->Table->setSelectionMode(QAbstractItemView::SingleSelection);
   this->Table->verticalHeader()->setDefaultSectionSize(26);
   this->Table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  this->Table->setColumnWidth(0, 92);
+  this->Table->horizontalHeader()->setMinimumSectionSize(46);
   this->Table->setTabKeyNavigation(false);
   this->Table->setAccessibleName(tr("Polygons"));
   connect(this->Table->selectionModel(), &QItemSelectionModel::currentRowChanged, this,

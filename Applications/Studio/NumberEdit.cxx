@@ -89,6 +89,14 @@ QSize NumberEdit::sizeHint() const
   return size;
 }
 
+/** Two of them, a label and a button are in a row of a form. */
+QSize NumberEdit::minimumSizeHint() const
+{
+  QSize size = this->sizeHint();
+  size.setWidth(this->fontMetrics().horizontalAdvance(QStringLiteral("0.0000")) + 40);
+  return size;
+}
+
 void NumberEdit::wheelEvent(QWheelEvent* event)
 {
   this->hasFocus() ? QDoubleSpinBox::wheelEvent(event) : event->ignore();

@@ -29,7 +29,7 @@ public:
   double valueFromText(const QString& text) const override;
   QValidator::State validate(QString& text, int& position) const override;
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return this->sizeHint(); }
+  QSize minimumSizeHint() const override;
 
 protected:
   void wheelEvent(QWheelEvent* event) override;

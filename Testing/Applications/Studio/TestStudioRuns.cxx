@@ -68,14 +68,16 @@ TEST_F(StudioRuns, WhatIsPausedGoesOnToTheSameResults)
   ASSERT_TRUE(WaitFor([this] { return this->Cases() == 2; })) << "what is done is shown";
 
   LetAllThrough(folder, 4);
+  int told = 0;
+  QObject::connect(this->Controller(), &RunController::Told, &this->Window, [&told] { ++told; });
   this->Window.Run();
   ASSERT_TRUE(this->WaitForEnd());
   ASSERT_TRUE(WaitFor([this] { return this->Cases() == 4; })) << this->GetLogText();
+  EXPECT_EQ(told, 2) << "what was done is not done again";
   EXPECT_FALSE(this->Controller()->IsPaused());
   EXPECT_FALSE(std::filesystem::exists(folder / "paused.running"));
   const std::string continued = ReadFile((folder / "paused" / "results.csv").string());
-  int told = 0;
-  QObject::connect(this->Controller(), &RunController::Told, &this->Window, [&told] { ++told; });
+  told = 0;
   this->Window.Run();
   ASSERT_TRUE(this->WaitForEnd());
   EXPECT_EQ(told, 4) << "a new run does all of it";
