@@ -346,6 +346,12 @@ std::string CompactSvg(std::string_view svg)
     {
       writer.Path(part);
     }
+    else if (part.starts_with("<image "))
+    {
+      // Cells stay cells: browsers smooth images otherwise.
+      writer.Other("<image style=\"image-rendering:pixelated\" ");
+      writer.Other(part.substr(std::string_view("<image ").size()));
+    }
     else if (!isTag && Trimmed(part).empty())
     {
       writer.Space(part);
