@@ -19,12 +19,13 @@ for format in $formats; do
   done
   echo "==> $format"
   limits="-malloc_limit_mb=64"
+  sanitizer=""
   case $format in
-    vtp | vtu) limits="-malloc_limit_mb=100000"; export ASAN_OPTIONS=detect_leaks=0:allocator_may_return_null=1 ;; # VTK's readers
+    vtp | vtu) limits="-malloc_limit_mb=100000"; sanitizer="detect_leaks=0:allocator_may_return_null=1" ;; # VTK's readers
   esac
   # zlib makes at most 1032 bytes of one: the largest input could hold 4 MB.
   # shellcheck disable=SC2086 # a list of words
-  "$fuzzer" --format="$format" --seeds="$corpus" "$corpus" -runs="$runs" -max_len=4096 \
+  ASAN_OPTIONS=$sanitizer "$fuzzer" --format="$format" --seeds="$corpus" "$corpus" -runs="$runs" -max_len=4096 \
     $limits -timeout=10 -print_final_stats=1 -verbosity=0 \
     -artifact_prefix=build/fuzz/ 2>&1 | grep -E 'ERROR|SUMMARY|stat::number_of_executed_units|#[0-9] ' || true
   [ -z "$(find build/fuzz -maxdepth 1 -name 'crash-*' -newer "$corpus")" ] || exit 1

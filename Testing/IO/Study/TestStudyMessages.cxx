@@ -209,8 +209,8 @@ TEST(StudyMessages, OfMetricsSolversAndOutput)
     "digits, hyphens and blanks.");
   EXPECT_EQ(ComplaintAbout(Polygons(R"("solvers": [{"solver": "a", "time-limit": -1}])")),
     "\"s.json\": solvers[0].time-limit is -1; it must be at least 0.");
-  EXPECT_THAT(ComplaintAbout(Polygons(R"("output": {"formats": ["vtk"]})")),
-    testing::StartsWith("\"s.json\": output.formats is \"vtk\"; did you mean \"vtp\"? (one of "));
+  EXPECT_THAT(ComplaintAbout(Polygons(R"("output": {"formats": ["offf"]})")),
+    testing::StartsWith("\"s.json\": output.formats is \"offf\"; did you mean \"off\"? (one of "));
   EXPECT_EQ(ComplaintAbout(Polygons(R"("output": {"formats": ["off", "off"]})")),
     "\"s.json\": output.formats names \"off\" twice.");
 }
