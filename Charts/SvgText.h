@@ -17,7 +17,7 @@ std::string RenumberIds(std::string_view svg);
 
 /**
  * The same picture in a third of the bytes: properties that have their initial values are left out,
- * colours are #rrggbb, transformations of strokes are said once, and coordinates have the digits
+ * colours are `#rrggbb`, transformations of strokes are said once, and coordinates have the digits
  * that Cairo computes with (1/256 of a point). Tags that are not understood stay as they are.
  */
 std::string CompactSvg(std::string_view svg);

@@ -49,7 +49,7 @@ Html HtmlText(std::string_view text);
 
 using HtmlAttributes = std::vector<std::pair<std::string, std::string>>;
 
-/** <name attributes>content</name>; elements that HTML knows as empty are closed at once. */
+/** `<name attributes>content</name>`; elements that HTML knows as empty are closed at once. */
 Html HtmlElement(
   const std::string& name, const HtmlAttributes& attributes = {}, const Html& content = {});
 

@@ -18,7 +18,7 @@
  *   index.csv        the name and the parameters of every case
  *   study.json       the study with every default written out
  *   meshes/          the meshes with all arrays, series.pvd beside the folder
- *   solvers/<run>/   the raw files and logs of every solver run
+ *   `solvers/<run>/`   the raw files and logs of every solver run
  *   journal.tsv      the rows as they come; what Resume goes on from
  *   plots/           the figures that the study asks for
  *

@@ -9,10 +9,10 @@
  *   Mesh [text] its name; each parameter of the case (field list "Parameters");
  *   the numbers of the whole mesh (MeshMetrics.h);
  *   for each metric and each group of elements (ValueStatistics.h) the statistics
- *   <Name>_<statistic><group>, taken over the elements where the metric is finite, NaN where there
- *   are none, with <Name>_min_element<group> and <Name>_max_element<group>, the smallest id of an
- *   element that attains it, -1 where there are none; then quantiles <Name>_q0.05<group>, and the
- *   histogram, <Name>_bin1<group> and so on, numbers of elements in equal parts of the range from
+ *   `<Name>_<statistic><group>`, over the elements where the metric is finite, NaN where there
+ *   are none, with `<Name>_min_element<group>` and `<Name>_max_element<group>`, the least id of an
+ *   element that attains it, -1 where there are none; then quantiles `<Name>_q0.05<group>`, and the
+ *   histogram, `<Name>_bin1<group>` and so on, numbers of elements in equal parts of the range from
  *   min to max, of which the last includes its end. Of all elements the group is empty, of others
  *   "_placed", "_filler", "_triangles", "_polygons", "_selected";
  *   every other field array of one number, and the texts named *_Status and *_StatusMessage;

@@ -6,8 +6,8 @@
  *
  * The contract: called on the mesh file M.off, the solver leaves in its output folder
  * M-solution.txt and, if it knows, M-ground-truth.txt (one finite number a vertex, in the order of
- * the vertices of the mesh), M-<performance>.txt with one number for each performance, "nan"
- * only if it may be undefined, and, if it likes, M-<array>.txt for each array of the elements, one
+ * the vertices of the mesh), `M-<performance>.txt` with one number for each performance, "nan"
+ * only if it may be undefined, and, if it likes, `M-<array>.txt` for each array of elements, one
  * number an element, "nan" where undefined. It ends with exit status 0.
  */
 #ifndef pemesh_SolverDescription_h

@@ -5,7 +5,7 @@
  * @brief   Solves a PDE on a mesh by running an external program.
  *
  * Input port 0 : vtkPolyData, a mesh of polygons.
- * Output port 0: the same and, with <run> the name of the run,
+ * Output port 0: the same and, with `<run>` the name of the run,
  *   point arrays "<run>_Solution" and, where the solver knows, "<run>_GroundTruth" and
  *     "<run>_Error" (= solution - ground truth);
  *   cell array "<run>_<array>" for each array of the elements that the solver has written;
@@ -21,7 +21,7 @@
  * are good, which are kept; cancelled; no-mesh (the input has failed before); not-written (the work
  * folder cannot be written).
  *
- * Files: each execution makes the folder WorkDirectory/<mesh>, where <mesh> is the field text
+ * Files: each execution makes the folder `WorkDirectory/<mesh>`, where `<mesh>` is the field text
  * "Mesh" of the input or "mesh", writes the mesh there and runs the command in it. What the solver
  * writes stays, and so do stdout.log, stderr.log, command.txt and, after a good run, solved.txt.
  * The contract with the solver is in SolverDescription.h.

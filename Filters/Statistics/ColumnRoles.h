@@ -24,12 +24,12 @@ inline constexpr const char* PerformancesList = "Performances";
 inline constexpr const char* StudyColumn = "Study";
 
 /**
- * <Metric>_<statistic>, perhaps with a group of elements behind it: Area_min, Area_mean_placed,
+ * `<Metric>_<statistic>`, perhaps with a group of elements behind it: Area_min, Area_mean_placed,
  * Area_q0.5. Neither histograms nor the ids of extreme elements.
  */
 PEMESHFILTERSSTATISTICS_EXPORT bool IsMetricColumn(const std::string& name);
 
-/** In the list Performances, or <run>_<performance> and no metric, and not in the list Measured. */
+/** In the list Performances, or `<run>_<performance>`, no metric, and not in the list Measured. */
 PEMESHFILTERSSTATISTICS_EXPORT bool IsPerformanceColumn(vtkTable* table, const std::string& name);
 
 /** The columns that hold numbers, in order. */

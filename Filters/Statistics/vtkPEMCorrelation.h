@@ -17,8 +17,8 @@
  *   families or independent), `FamilyColumn`, and `Note` on what p-values and intervals mean.
  *
  * Pairs: every X with every Y, a pair (a, b) once and never (a, a). By default X are the metrics,
- *   which are the numeric columns <Metric>_<statistic>, and Y the metrics and the performances,
- *   which are the other numeric columns of the form <run>_<performance> and those in the list
+ *   which are the numeric columns `<Metric>_<statistic>`, and Y the metrics and the performances,
+ *   which are the other numeric columns of the form `<run>_<performance>` and those in the list
  *   `Performances` of the field data: each metric against each other, and each metric against each
  *   performance. Element ids (`_element`), histograms and the columns in the list `Measured` of the
  *   field data (seconds) take part only if named.

@@ -9,7 +9,7 @@
  * with a test problem of the table or formulas of x and y (see EllipticProblem.h).
  *
  * Input port 0 : vtkPolyData, a mesh of polygons.
- * Output port 0: the same and, with <run> the name of the run,
+ * Output port 0: the same and, with `<run>` the name of the run,
  *   point arrays "<run>_Solution" and, where the solution is known, "<run>_GroundTruth" and
  *     "<run>_Error" (= solution - ground truth);
  *   cell arrays "<run>_ErrorL2" and "<run>_ErrorH1" (absolute, of the projection against the exact
