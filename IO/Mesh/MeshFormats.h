@@ -7,7 +7,8 @@
  *  - Vertices keep the number and the order of the file, used by an element or not, because the
  *    files of a solver hold one number a vertex. STL alone has no vertices of its own: corners
  *    with the same coordinates are one vertex, in the order in which they first appear.
- *  - No reader takes more memory than what the file could hold, whatever its header announces.
+ *  - No reader takes more memory than what the file could hold, whatever its header announces; of
+ *    VTP and VTU, which VTK reads, only the counts of the header are held to that.
  *  - Coordinates are doubles, read and written so that every bit survives (binary STL: floats).
  *  - Meshes are planar: a third coordinate must be zero and is dropped.
  *  - Elements that are clockwise in the file are reversed, the first vertex staying first, unless

@@ -14,7 +14,7 @@
  * each kernel costs alone, and that over two baselines of the same run: the plain shoelace formula,
  * and the largest inscribed circle by trying all triples of edges and vertices (of the first few
  * elements). Every mesh is made and measured in a process of its own. For the linear cost up to
- * 10^7 elements: BenchmarkMetrics 1e7, on a machine with 16 GB, agglomerated ones take the longest.
+ * 10^7 elements: BenchmarkMetrics 1e7, of which the agglomerated ones take the longest.
  */
 #include "../Filters/Geometry/BruteForce.h"
 #include "ElementAccess.h"
