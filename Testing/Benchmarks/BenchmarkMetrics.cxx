@@ -280,6 +280,12 @@ void Measure(const MeshKind& kind, double elements, double& reference)
   vtkNew<vtkPolyData> mesh;
   kind.Make(elements, mesh);
   const auto count = static_cast<double>(mesh->GetNumberOfPolys());
+  if (count == 0.0)
+  {
+    std::printf("%-13s %9.0f elements were not made\n", kind.Name, elements);
+    std::fflush(stdout);
+    return;
+  }
   const double memory = MeasureMemory(mesh);
   const int repetitions = elements > 2e6 ? 1 : 3;
   const Timing one = MeasureAll(mesh, 1, repetitions);
