@@ -56,17 +56,22 @@ void LayoutCanvas::SetOutlines(const StudyOutlines& outlines)
     }
     this->SetHomeBox(loop.boundingRect());
   }
-  if (this->Selected >= this->NumberOfPlaced())
+  // Not by the outlines: those of the study before the last edit may just be coming in.
+  if (this->Selected >= this->NumberInStudy())
   {
     this->SetSelected(-1);
   }
   this->update();
 }
 
+int LayoutCanvas::NumberInStudy() const
+{
+  return static_cast<int>(this->Model->GetStudy().Polygons.size());
+}
+
 int LayoutCanvas::NumberOfPlaced() const
 {
-  return static_cast<int>(
-    std::min(this->Outlines.Polygons.size(), this->Model->GetStudy().Polygons.size()));
+  return std::min(static_cast<int>(this->Outlines.Polygons.size()), this->NumberInStudy());
 }
 
 void LayoutCanvas::SetTool(Tool tool)
@@ -366,7 +371,7 @@ void LayoutCanvas::keyPressEvent(QKeyEvent* event)
   {
     this->FinishDrawing(false);
   }
-  else if (!arrow.isNull() && this->Selected >= 0 && this->Selected < this->NumberOfPlaced())
+  else if (!arrow.isNull() && this->Selected >= 0 && this->Selected < this->NumberInStudy())
   {
     const auto& center =
       this->Model->GetStudy().Polygons[static_cast<std::size_t>(this->Selected)].Center;

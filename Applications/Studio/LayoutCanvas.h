@@ -84,7 +84,8 @@ private:
 
   static constexpr double GripSize = 9.0; // pixels
 
-  int NumberOfPlaced() const;
+  int NumberInStudy() const;
+  int NumberOfPlaced() const; // those that have an outline yet
   int FindPolygon(const QPointF& position) const;
   QPolygonF OnScreen(const std::vector<Point2>& points) const;
   /** Around the selected polygon; empty if there is none. */

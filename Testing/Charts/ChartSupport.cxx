@@ -118,11 +118,6 @@ double Area(const Polygon& polygon)
   return 0.5 * twice;
 }
 
-std::string OutputPath(const std::string& name)
-{
-  return std::string(PEMESH_TEST_OUTPUT) + "/" + name;
-}
-
 bool Run(const std::string& command, const std::string& outputFile)
 {
   const std::string target = outputFile.empty() ? "" : " > \"" + outputFile + "\"";
@@ -165,7 +160,7 @@ Picture ReadPng(const std::string& path)
 
 Picture WriteAndRead(const std::string& png, const std::string& name)
 {
-  const std::string path = OutputPath(name);
+  const std::string path = pemesh::TestPath(name);
   std::ofstream(path, std::ios::binary) << png;
   return ReadPng(path);
 }

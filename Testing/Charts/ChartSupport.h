@@ -6,6 +6,8 @@
 #ifndef ChartSupport_h
 #define ChartSupport_h
 
+#include "TestFolder.h"
+
 #include <vtkPolyData.h>
 #include <vtkSmartPointer.h>
 #include <vtkTable.h>
@@ -35,9 +37,6 @@ vtkSmartPointer<vtkPolyData> MakeSquares(int n);
  */
 Polygon MakeStar();
 double Area(const Polygon& polygon);
-
-/** Path of an output file of this test program. */
-std::string OutputPath(const std::string& name);
 
 /** Runs a program, true if it ended with 0. Its output goes to a file, unless that is empty. */
 bool Run(const std::string& command, const std::string& outputFile = std::string());

@@ -39,7 +39,7 @@ std::string PaintTo(
   context->End();
   device->End();
   EXPECT_EQ(device->GetErrorMessage(), "");
-  const std::string path = ChartSupport::OutputPath(name + Endings[format]);
+  const std::string path = pemesh::TestPath(name + Endings[format]);
   std::ofstream(path, std::ios::binary) << device->GetContents();
   return path;
 }
@@ -213,7 +213,7 @@ TEST(CairoDevice, PaintsAChartOfVTK)
     scene->Paint(context);
     context->End();
     device->End();
-    const std::string path = ChartSupport::OutputPath(std::string("ChartXY") + Endings[format]);
+    const std::string path = pemesh::TestPath(std::string("ChartXY") + Endings[format]);
     std::ofstream(path, std::ios::binary) << device->GetContents();
     pictures[format] = ChartSupport::Rasterise(path, 400);
   }

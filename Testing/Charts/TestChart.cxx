@@ -25,7 +25,7 @@ ChartSupport::Picture Paint(vtkPEMChart* chart, const std::string& name)
 {
   vtkNew<vtkPEMFigure> figure;
   figure->AddPanel(chart);
-  const std::string path = ChartSupport::OutputPath(name + ".png");
+  const std::string path = pemesh::TestPath(name + ".png");
   EXPECT_TRUE(figure->Write(path)) << figure->GetErrorMessage();
   return ChartSupport::ReadPng(path);
 }
@@ -126,7 +126,7 @@ TEST(Chart, DegenerateDataHaveRanges)
         vtkNew<vtkPEMFigure> figure;
         figure->SetDPI(72);
         figure->AddPanel(chart);
-        EXPECT_TRUE(figure->Write(ChartSupport::OutputPath("Degenerate.png"))) << x << y << axes;
+        EXPECT_TRUE(figure->Write(pemesh::TestPath("Degenerate.png"))) << x << y << axes;
         EXPECT_TRUE(std::isfinite(chart->GetDeviceX(1.0))) << x << y << axes;
       }
     }

@@ -94,6 +94,11 @@ struct Example
   int Elements = 0; // 0: the table of meshes
 };
 
+void PrintTo(const Example& one, std::ostream* stream)
+{
+  *stream << one.Name;
+}
+
 const std::vector<Example>& Examples()
 {
   static const std::vector<Example> examples = {
@@ -173,7 +178,7 @@ TEST_P(ChartPictures, AreAlikeInAllFormatsAndSmall)
   figure->AddPanel(chart);
   figure->SetSizeInCentimeters(8.0, 0.0);
   figure->SetDPI(180);
-  const std::string stem = ChartSupport::OutputPath("kind-" + GetParam().Name);
+  const std::string stem = pemesh::TestPath("kind-" + GetParam().Name);
   for (const char* ending : { ".png", ".svg", ".pdf" })
   {
     ASSERT_TRUE(figure->Write(stem + ending)) << figure->GetErrorMessage();
@@ -195,7 +200,7 @@ TEST_P(ChartPictures, FillAScreen)
   figure->SetDPI(96);
   figure->SetFontSize(11);
   figure->SetSizeInPixels(1920, 1080);
-  ASSERT_TRUE(figure->Write(ChartSupport::OutputPath("screen-" + GetParam().Name + ".png")));
+  ASSERT_TRUE(figure->Write(pemesh::TestPath("screen-" + GetParam().Name + ".png")));
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, ChartPictures, testing::ValuesIn(Examples()),
@@ -242,7 +247,7 @@ TEST(ChartPicturesOfAllKinds, ClassesOfADensityAreMixed)
   figure->AddPanel(chart);
   figure->SetSizeInCentimeters(8.0, 0.0);
   figure->SetDPI(144);
-  const std::string path = ChartSupport::OutputPath("MixedClasses.png");
+  const std::string path = pemesh::TestPath("MixedClasses.png");
   ASSERT_TRUE(figure->Write(path));
   const auto picture = ChartSupport::ReadPng(path);
   const auto blueLessRed = [&](double from)
@@ -284,7 +289,7 @@ TEST(ChartPicturesOfAllKinds, FillASheet)
   figure->SetColumns(4);
   figure->SetDPI(90);
   figure->SetSizeInCentimeters(34.0, 31.0);
-  ASSERT_TRUE(figure->Write(ChartSupport::OutputPath("charts.png")));
+  ASSERT_TRUE(figure->Write(pemesh::TestPath("charts.png")));
 }
 
 } // namespace

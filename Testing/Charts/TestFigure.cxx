@@ -55,7 +55,7 @@ TEST(Figure, TheThreeFormatsShowTheSame)
 {
   auto figure = MakeFigure();
   figure->SetDPI(150);
-  const std::string stem = ChartSupport::OutputPath("Same");
+  const std::string stem = pemesh::TestPath("Same");
   for (const char* ending : { ".png", ".svg", ".pdf" })
   {
     ASSERT_TRUE(figure->Write(stem + ending)) << figure->GetErrorMessage();
@@ -74,8 +74,8 @@ TEST(Figure, TheThreeFormatsShowTheSame)
 TEST(Figure, TextIsText)
 {
   auto figure = MakeFigure();
-  const std::string pdf = ChartSupport::OutputPath("Text.pdf");
-  const std::string svg = ChartSupport::OutputPath("Text.svg");
+  const std::string pdf = pemesh::TestPath("Text.pdf");
+  const std::string svg = pemesh::TestPath("Text.svg");
   ASSERT_TRUE(figure->Write(pdf));
   ASSERT_TRUE(figure->Write(svg));
   ASSERT_TRUE(ChartSupport::Run("pdftotext \"" + pdf + "\" \"" + pdf + ".txt\""));
@@ -95,7 +95,7 @@ TEST(Figure, TheSameBytesTwiceAndInThreads)
 {
   for (const std::string ending : { ".png", ".svg", ".pdf" })
   {
-    const std::string first = ChartSupport::OutputPath("First" + ending);
+    const std::string first = pemesh::TestPath("First" + ending);
     ASSERT_TRUE(MakeFigure()->Write(first));
     const std::string bytes = ReadBytes(first);
     ASSERT_GT(bytes.size(), 1000u);
@@ -103,7 +103,7 @@ TEST(Figure, TheSameBytesTwiceAndInThreads)
     for (int i = 0; i < 3; ++i)
     {
       threads.emplace_back([&ending, i]()
-        { MakeFigure()->Write(ChartSupport::OutputPath("Thread" + std::to_string(i) + ending)); });
+        { MakeFigure()->Write(pemesh::TestPath("Thread" + std::to_string(i) + ending)); });
     }
     for (std::thread& thread : threads)
     {
@@ -111,8 +111,7 @@ TEST(Figure, TheSameBytesTwiceAndInThreads)
     }
     for (int i = 0; i < 3; ++i)
     {
-      EXPECT_TRUE(
-        ReadBytes(ChartSupport::OutputPath("Thread" + std::to_string(i) + ending)) == bytes)
+      EXPECT_TRUE(ReadBytes(pemesh::TestPath("Thread" + std::to_string(i) + ending)) == bytes)
         << ending;
     }
     EXPECT_THAT(bytes, testing::Not(HasSubstr("CreationDate")));
@@ -121,7 +120,7 @@ TEST(Figure, TheSameBytesTwiceAndInThreads)
 
 TEST(Figure, LeavesNoTemporaryFiles)
 {
-  const std::filesystem::path folder = ChartSupport::OutputPath("Whole/New");
+  const std::filesystem::path folder = pemesh::TestPath("Whole/New");
   std::filesystem::remove_all(folder);
   ASSERT_TRUE(MakeFigure()->Write((folder / "figure.png").string()));
   int files = 0;
@@ -144,21 +143,21 @@ TEST(Figure, WhatCannotBeWrittenIsSaidInOneSentence)
     return figure->GetErrorMessage();
   };
   auto figure = MakeFigure();
-  EXPECT_THAT(why(figure, ChartSupport::OutputPath("figure.gif")),
-    HasSubstr("must end in .png, .svg or .pdf"));
+  EXPECT_THAT(
+    why(figure, pemesh::TestPath("figure.gif")), HasSubstr("must end in .png, .svg or .pdf"));
   EXPECT_THAT(why(figure, "/proc/no/figure.png"), HasSubstr("/proc/no"));
   auto* chart = vtkPEMChart::SafeDownCast(figure->GetPanel(0));
   chart->SetYColumns({ "Condition" });
-  EXPECT_THAT(why(figure, ChartSupport::OutputPath("bad.png")),
+  EXPECT_THAT(why(figure, pemesh::TestPath("bad.png")),
     HasSubstr("no column \"Condition\"; the nearest is \"condition\""));
-  EXPECT_FALSE(std::filesystem::exists(ChartSupport::OutputPath("bad.png")));
+  EXPECT_FALSE(std::filesystem::exists(pemesh::TestPath("bad.png")));
   vtkNew<vtkPEMFigure> empty;
-  EXPECT_THAT(why(empty, ChartSupport::OutputPath("empty.png")), HasSubstr("has no panels"));
+  EXPECT_THAT(why(empty, pemesh::TestPath("empty.png")), HasSubstr("has no panels"));
 }
 
 TEST(Figure, NumbersDoNotDependOnTheLocale)
 {
-  const std::string before = ChartSupport::OutputPath("Locale.svg");
+  const std::string before = pemesh::TestPath("Locale.svg");
   ASSERT_TRUE(MakeFigure()->Write(before));
   EXPECT_THAT(ReadBytes(before), testing::Not(HasSubstr("font-size=\"7,")));
   EXPECT_THAT(ReadBytes(before), HasSubstr("font-size=\"7.2\""));

@@ -25,7 +25,7 @@ ChartSupport::Picture Paint(vtkPEMMeshView* view, const std::string& name)
 {
   vtkNew<vtkPEMFigure> figure;
   figure->AddPanel(view);
-  const std::string path = ChartSupport::OutputPath(name + ".png");
+  const std::string path = pemesh::TestPath(name + ".png");
   EXPECT_TRUE(figure->Write(path)) << figure->GetErrorMessage();
   return ChartSupport::ReadPng(path);
 }
@@ -123,7 +123,7 @@ TEST(MeshView, ClassesAndExtremesAreTold)
   ASSERT_TRUE(view->SetHighlightByName("both"));
   vtkNew<vtkPEMFigure> figure;
   figure->AddPanel(view);
-  const std::string path = ChartSupport::OutputPath("Extremes.pdf");
+  const std::string path = pemesh::TestPath("Extremes.pdf");
   ASSERT_TRUE(figure->Write(path));
   ASSERT_TRUE(ChartSupport::Run("pdftotext \"" + path + "\" \"" + path + ".txt\""));
   ASSERT_TRUE(ChartSupport::Run("grep -q 'min 1 (element 0)' \"" + path + ".txt\""));
@@ -145,7 +145,7 @@ TEST(MeshView, MarkedElementsAreFramedAndSaid)
   EXPECT_NE(ColorAt(picture, view, 0.15, 1.0 / 3.0), frame);
   vtkNew<vtkPEMFigure> figure;
   figure->AddPanel(view);
-  const std::string path = ChartSupport::OutputPath("Marked.pdf");
+  const std::string path = pemesh::TestPath("Marked.pdf");
   ASSERT_TRUE(figure->Write(path));
   ASSERT_TRUE(ChartSupport::Run("pdftotext \"" + path + "\" \"" + path + ".txt\""));
   EXPECT_TRUE(ChartSupport::Run("grep -q 'Framed: 2 of 9 elements.' \"" + path + ".txt\""));

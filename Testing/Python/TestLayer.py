@@ -187,9 +187,15 @@ class Tables(unittest.TestCase):
         (SCRATCH / "short.csv").write_text("a,b\n1,2\n3\n")
         with self.assertRaises(pemesh.Error) as caught:
             pemesh.Table.read(SCRATCH / "short.csv")
-        self.assertIn("row 3", str(caught.exception))
+        self.assertIn("line 3", str(caught.exception))
         with self.assertRaises(pemesh.Error):
             pemesh.Table({"a": [1], "b": [1, 2]})
+
+    def test_what_is_no_number_stays_a_text(self):
+        (SCRATCH / "codes.csv").write_text("code,empty,name\n007,,1_0\n008,,2_0\n")
+        table = pemesh.Table.read(SCRATCH / "codes.csv")
+        self.assertEqual({name: values.tolist() for name, values in table.items()},
+                         {"code": ["007", "008"], "empty": ["", ""], "name": ["1_0", "2_0"]})
 
     def test_joining_finds_rows_by_name(self):
         left = pemesh.Table({"Mesh": ["a", "b", "c"], "x": [1, 2, 3]})
@@ -225,6 +231,12 @@ class Studies(unittest.TestCase):
         self.assertEqual(results.correlation["X"][0][-4:], "_min")
         again = pemesh.Results(SCRATCH / "run")
         self.assertEqual(again.findings, results.findings)
+
+    def test_failures_are_told_by_the_folder_too(self):
+        study = {**self.STUDY, "polygons": [{"family": "star", "center": [0.5, 0.5], "scale": 9}]}
+        results = pemesh.run(study, SCRATCH / "failing")
+        self.assertEqual(len(results.failures), 3)
+        self.assertEqual(pemesh.Results(SCRATCH / "failing").failures, results.failures)
 
     def test_a_study_that_is_wrong_is_refused(self):
         with self.assertRaises(pemesh.Error) as caught:

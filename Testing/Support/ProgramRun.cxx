@@ -36,14 +36,6 @@ std::string FileText(const std::filesystem::path& path)
   return text.str();
 }
 
-std::filesystem::path FreshFolder(const std::string& name)
-{
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
   const std::filesystem::path& folder)
 {

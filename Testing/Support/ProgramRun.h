@@ -6,6 +6,8 @@
 #ifndef pemesh_ProgramRun_h
 #define pemesh_ProgramRun_h
 
+#include "TestFolder.h"
+
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -23,9 +25,6 @@ struct ProgramRun
 /** `program` is a name in the build tree's bin, or a path. `folder` is where it runs. */
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments,
   const std::filesystem::path& folder = {});
-
-/** An empty folder of the test's own below PEMESH_TEST_OUTPUT. */
-std::filesystem::path FreshFolder(const std::string& name);
 
 /** The whole file, or "" if there is none. */
 std::string FileText(const std::filesystem::path& path);

@@ -7,6 +7,7 @@
 #define pemesh_TestMeshes_h
 
 #include "Point2.h"
+#include "TestFolder.h"
 
 #include <bit>
 #include <cstdint>
@@ -138,21 +139,6 @@ inline void ExpectSameMesh(vtkPolyData* actual, vtkPolyData* expected)
   EXPECT_EQ(actual->GetPoints()->GetDataType(), VTK_DOUBLE);
   EXPECT_EQ(CoordinateBits(actual), CoordinateBits(expected));
   EXPECT_EQ(PolygonsOf(actual), PolygonsOf(expected));
-}
-
-/** An empty folder for the running test alone. */
-inline std::filesystem::path TestFolder()
-{
-  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-  std::string name = std::string(info->test_suite_name()) + "." + info->name();
-  for (char& c : name)
-  {
-    c = c == '/' ? '-' : c;
-  }
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
 }
 
 inline void WriteBytes(const std::filesystem::path& path, std::string_view bytes)

@@ -2,9 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A solver of your own as a function: which metric drives its condition number?
 
-The solver is the lowest order virtual element method for the mass matrix of the lumped kind: each
-vertex gets its share of the areas of its elements. The ratio of the largest to the smallest entry of
-that diagonal is its condition number.
+The solver lumps the mass: each vertex gets an equal share of the areas of its elements. The ratio of
+the largest to the smallest entry of that diagonal matrix is its condition number.
 
     own_solver.py FOLDER
 """

@@ -11,7 +11,7 @@ from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 
 from ._classes import vtkPEMMeshReader, vtkPEMMeshWriter
-from ._pipeline import Error, raising, update
+from ._pipeline import Error, update, write_with
 
 
 def _as_points(points):
@@ -137,6 +137,4 @@ def write(mesh, path):
     """Writes a mesh to a file of the kind that the ending of its name says, whole or not at all."""
     writer = vtkPEMMeshWriter()
     writer.SetFileName(os.fspath(path))
-    writer.SetInputData(mesh)
-    with raising(writer, writer.GetExecutive()):
-        writer.Write()
+    write_with(writer, mesh)

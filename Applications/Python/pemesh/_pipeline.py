@@ -84,6 +84,13 @@ def raise_if_failed(data, prefix=""):
         raise Error(f"{status}: {field_text(data, prefix + 'StatusMessage')}", status)
 
 
+def write_with(writer, data):
+    """Hands data to a writer."""
+    writer.SetInputData(data)
+    with raising(writer, writer.GetExecutive()):
+        writer.Write()
+
+
 def update(algorithm, time=None):
     """Updates a filter and all before it, and returns its output.
 

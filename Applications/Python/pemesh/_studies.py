@@ -3,6 +3,7 @@
 """Whole steps of a study, each one call."""
 
 import collections.abc
+import contextlib
 import dataclasses
 import json
 import os
@@ -32,10 +33,14 @@ class Results:
     failures : list of str, one sentence a failure; empty where all went well
     """
 
-    def __init__(self, folder, failures=()):
+    def __init__(self, folder):
         self.folder = pathlib.Path(folder)
-        self.failures = list(failures)
         self.table = Table.read(self.folder / "results.csv")
+
+    @property
+    def failures(self):
+        file = self.folder / "failures.csv"
+        return Table.read(file)["Message"].tolist() if file.exists() else []
 
     @property
     def timings(self):
@@ -52,7 +57,7 @@ class Results:
 
     def mesh(self, which):
         """The mesh of that row, by its number or name, with all its arrays."""
-        name = self.table["Mesh"][which] if isinstance(which, int) else which
+        name = which if isinstance(which, str) else self.table["Mesh"][which]
         return read(self.folder / "meshes" / f"{name}.vtp")
 
     def meshes(self):
@@ -113,18 +118,16 @@ def run(study, output=None, *, jobs=0, resume=False, retries=0, settings=None, p
     runner.SetRetries(retries)
     for path, value in (settings or {}).items():
         runner.AddSetting(f"{path}={json.dumps(value)}")
-    interrupts = _watch(runner, progress, log)
-    with raising(runner):
+    with raising(runner), _watched(runner, progress, log):
         runner.Run()
-    if interrupts:
-        raise interrupts[0]
     if runner.GetRefused():
         raise Error("\n".join(runner.GetMessages()), "refused")
-    return Results(runner.GetOutputDirectory(), runner.GetMessages())
+    return Results(runner.GetOutputDirectory())
 
 
-def _watch(runner, progress, log):
-    """Observes; what a callback raises, Ctrl-C too, stops the run and is in the list answered."""
+@contextlib.contextmanager
+def _watched(runner, progress, log):
+    """Observes; what a callback raises, Ctrl-C too, stops the run and is raised at its end."""
     raised = []
 
     def guarded(function):
@@ -143,9 +146,15 @@ def _watch(runner, progress, log):
     def on_log(_caller, _event, text):
         guarded(lambda: log and log(text))
 
-    runner.AddObserver("ProgressEvent", on_progress)
-    runner.AddObserver(vtkPEMRunner.LogEvent, on_log)
-    return raised
+    tags = [runner.AddObserver("ProgressEvent", on_progress),
+            runner.AddObserver(vtkPEMRunner.LogEvent, on_log)]
+    try:
+        yield
+    finally:
+        for tag in tags:
+            runner.RemoveObserver(tag)
+    if raised:
+        raise raised[0]
 
 
 def metrics(mesh, names=None):
@@ -170,8 +179,8 @@ def metrics(mesh, names=None):
     with raising(measure):
         measure.SetMetrics(["all"] if names is None else list(names))
     measure.SetInputData(data)
-    measured = update(measure)
-    return Table({name: cell_data(measured)[name] for name in measure.GetMetrics()})
+    values = cell_data(update(measure))
+    return Table({name: values[name] for name in measure.GetMetrics()})
 
 
 def summary(mesh, names=None, statistics=None):
@@ -330,8 +339,8 @@ def _as_table(table):
     return table if isinstance(table, Table) else Table(table)
 
 
-def _correlation(table, x, y, given, coefficient, family, independent_rows, bootstrap):
-    data = table.to_vtk()
+def _correlation(data, x=None, y=None, *, given=(), coefficient="spearman", family=None,
+                 independent_rows=False, bootstrap=None):
     correlation = vtkPEMCorrelation()
     correlation.SetXColumns(list(x or ()))
     correlation.SetYColumns(list(y or ()))
@@ -345,8 +354,7 @@ def _correlation(table, x, y, given, coefficient, family, independent_rows, boot
     return correlation
 
 
-def correlate(table, x=None, y=None, *, given=(), coefficient="spearman", family=None,
-              independent_rows=False, bootstrap=None):
+def correlate(table, x=None, y=None, **options):
     """Correlates the columns of a table of meshes.
 
     Parameters
@@ -355,13 +363,13 @@ def correlate(table, x=None, y=None, *, given=(), coefficient="spearman", family
         One row a mesh.
     x, y : sequences of str, optional
         Columns. Default: x the metrics, y the metrics and the performances.
-    given : sequence of str
+    given : sequence of str, optional
         Columns held fixed: the tested coefficient is partial.
-    coefficient : "spearman", "pearson", "kendall" or "distance"
+    coefficient : "spearman" (the default), "pearson", "kendall" or "distance"
         What p-values, intervals and words go by.
     family : str, optional
         Column whose values tell families of meshes apart; whole families are permuted.
-    independent_rows : bool
+    independent_rows : bool, optional
         Whether the meshes are a sample, each a family of its own.
     bootstrap : int, optional
         Number of samples for the intervals.
@@ -371,8 +379,7 @@ def correlate(table, x=None, y=None, *, given=(), coefficient="spearman", family
     Table
         One row a pair: X, Y, N, Pearson, Spearman, Kendall, DistanceCorrelation, ..., Words.
     """
-    return Table(update(_correlation(_as_table(table), x, y, given, coefficient, family,
-                                     independent_rows, bootstrap)))
+    return Table(update(_correlation(_as_table(table).to_vtk(), x, y, **options)))
 
 
 def findings(table, x=None, y=None, **options):
@@ -380,12 +387,10 @@ def findings(table, x=None, y=None, **options):
 
     Takes what correlate() takes, and returns a str.
     """
-    data = _as_table(table)
-    options = {"given": (), "coefficient": "spearman", "family": None, "independent_rows": False,
-               "bootstrap": None, **options}
-    correlation = _correlation(data, x, y, **options)
+    data = _as_table(table).to_vtk()
+    correlation = _correlation(data, x, y, **options)  # an output port does not keep its filter
     ranking = vtkPEMFindings()
     ranking.SetInputConnection(0, correlation.GetOutputPort())
-    ranking.SetInputData(1, data.to_vtk())
+    ranking.SetInputData(1, data)
     update(ranking)
     return ranking.GetText()

@@ -3,7 +3,7 @@
 """Tables as mappings from column names to NumPy arrays."""
 
 import collections.abc
-import csv
+import difflib
 import os
 
 import numpy
@@ -11,25 +11,14 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkDataArray, vtkStringArray
 from vtkmodules.vtkCommonDataModel import vtkTable
 
-from ._pipeline import Error
+from ._classes import vtkPEMTableReader, vtkPEMTableWriter
+from ._pipeline import Error, update, write_with
 
 
 def _column(array):
     if isinstance(array, vtkDataArray):
         return vtk_to_numpy(array)
     return numpy.array([array.GetValue(i) for i in range(array.GetNumberOfValues())], dtype=object)
-
-
-def _numbers_or_texts(texts):
-    """Numbers if all of them are, and then whole ones if all of them are."""
-    if any("_" in text for text in texts):  # Python would read 1_0 as a number
-        return numpy.array(texts, dtype=object)
-    for kind in (numpy.int64, numpy.float64):
-        try:
-            return numpy.array([kind(text) if text else numpy.nan for text in texts], dtype=kind)
-        except ValueError:
-            continue
-    return numpy.array(texts, dtype=object)
 
 
 class Table(collections.abc.Mapping):
@@ -55,25 +44,15 @@ class Table(collections.abc.Mapping):
     @classmethod
     def read(cls, path):
         """A table from a CSV file with a heading, such as a results.csv."""
-        with open(path, newline="", encoding="utf-8") as file:
-            rows = list(csv.reader(file))
-        if not rows:
-            raise Error(f"{path} is empty; a heading is needed")
-        for number, row in enumerate(rows[1:], 2):
-            if len(row) != len(rows[0]):
-                raise Error(f"{path}, row {number}: {len(row)} values under "
-                            f"{len(rows[0])} headings")
-        return cls({name: _numbers_or_texts([row[i] for row in rows[1:]])
-                    for i, name in enumerate(rows[0])})
+        reader = vtkPEMTableReader()
+        reader.SetFileName(os.fspath(path))
+        return cls(update(reader))
 
     def write(self, path):
-        """Writes a CSV file that read() gives back to the bit."""
-        temporary = f"{os.fspath(path)}.part"
-        with open(temporary, "w", newline="", encoding="utf-8") as file:
-            writer = csv.writer(file, lineterminator="\n")
-            writer.writerow(self._columns)
-            writer.writerows(zip(*(column.tolist() for column in self._columns.values())))
-        os.replace(temporary, path)
+        """Writes a CSV file, whole or not at all, which read() gives back to the bit."""
+        writer = vtkPEMTableWriter()
+        writer.SetFileName(os.fspath(path))
+        write_with(writer, self.to_vtk())
 
     @property
     def rows(self):
@@ -116,7 +95,6 @@ class Table(collections.abc.Mapping):
         try:
             return self._columns[name]
         except KeyError:
-            import difflib
             near = difflib.get_close_matches(str(name), self._columns, 3)
             raise KeyError(f"there is no column {name!r}"
                            + (f"; near it: {', '.join(near)}" if near else "")) from None

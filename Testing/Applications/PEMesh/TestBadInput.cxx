@@ -18,8 +18,8 @@
 #include <vtkTable.h>
 
 namespace fs = std::filesystem;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -60,7 +60,7 @@ class BadMeshFile : public testing::TestWithParam<BadMesh>
 TEST_P(BadMeshFile, IsARowOfItsOwnAndTheOthersAreDone)
 {
   const BadMesh& bad = GetParam();
-  const fs::path folder = FreshFolder(std::string("bad-mesh-") + bad.Name);
+  const fs::path folder = TestFolder(std::string("bad-mesh-") + bad.Name);
   WriteFile(folder / "a.off", SquareMesh);
   WriteFile(folder / "b.off", bad.Text);
   WriteFile(folder / "c.off", SquareMesh);
@@ -103,7 +103,7 @@ TEST(BadStudy, MissingFile)
 
 TEST(BadStudy, UnknownKeyNamesTheNearest)
 {
-  const fs::path folder = FreshFolder("unknown-key");
+  const fs::path folder = TestFolder("unknown-key");
   WriteFile(folder / "s.json",
     R"({"pemesh": 1, "polygons": [{"family": "star"}], "mesh": {"min-angel": 20}})");
   const auto run = RunProgram("pemesh", { "run", folder / "s.json", "-o", folder / "out" });
@@ -116,7 +116,7 @@ TEST(BadStudy, UnknownKeyNamesTheNearest)
 
 TEST(BadStudy, AFolderWithSomethingElseIsNotWrittenInto)
 {
-  const fs::path folder = FreshFolder("foreign-folder");
+  const fs::path folder = TestFolder("foreign-folder");
   WriteFile(folder / "thesis.tex", "years of work");
   const auto run = RunProgram(
     "pemesh", { "run", PEMESH_SOURCE_DIR "/Data/Studies/quickstart.json", "-o", folder });
@@ -128,7 +128,7 @@ TEST(BadStudy, AFolderWithSomethingElseIsNotWrittenInto)
 
 TEST(BadStudy, OverlappingPolygonsAreNamedWithTheirT)
 {
-  const fs::path folder = FreshFolder("overlap");
+  const fs::path folder = TestFolder("overlap");
   // A square-like polygon that grows into its neighbour only later in the family.
   WriteFile(folder / "s.json",
     R"({"pemesh": 1, "name": "s", "polygons": [{"family": "star", "center": [0.4, 0.5]},
@@ -169,7 +169,7 @@ class FailingSolver : public testing::TestWithParam<BadSolver>
 TEST_P(FailingSolver, IsTheStatusOfItsRunAndTheMetricsAreSaved)
 {
   const BadSolver& bad = GetParam();
-  const fs::path folder = FreshFolder(std::string("solver-") + bad.Name);
+  const fs::path folder = TestFolder(std::string("solver-") + bad.Name);
   WriteFile(folder / "a.off", SquareMesh);
   WriteFile(folder / "solver.sh", "#!/bin/sh\n" + bad.Script);
   fs::permissions(folder / "solver.sh", fs::perms::owner_all);
@@ -201,7 +201,7 @@ INSTANTIATE_TEST_SUITE_P(Solvers, FailingSolver,
 
 TEST(BadSolverName, IsRefusedBeforeAnythingRuns)
 {
-  const fs::path folder = FreshFolder("solver-name");
+  const fs::path folder = TestFolder("solver-name");
   WriteFile(folder / "s.json",
     R"({"pemesh": 1, "polygons": [{"family": "star"}], "solvers": [{"solver": "pemesh-wem"}]})");
   const auto run = RunProgram("pemesh", { "run", folder / "s.json", "-o", folder / "out" });

@@ -18,8 +18,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -46,7 +46,7 @@ std::string Write(const fs::path& path, const std::string& text)
 
 TEST(Check, SaysOkOrWhatIsWrong)
 {
-  const fs::path folder = FreshFolder("check");
+  const fs::path folder = TestFolder("check");
   const std::string good = Write(folder / "good.off", Good);
   const std::string bad = Write(folder / "bad.off", Mendable);
   const auto fine = RunProgram("pemesh", { "check", good });
@@ -64,7 +64,7 @@ TEST(Check, SaysOkOrWhatIsWrong)
 
 TEST(Check, WarningsAreNoErrors)
 {
-  const fs::path folder = FreshFolder("check-warnings");
+  const fs::path folder = TestFolder("check-warnings");
   const std::string bad = Write(folder / "bad.off", Mendable);
   const auto run = RunProgram("pemesh", { "check", bad, "--only", "unused-points,slivers" });
   EXPECT_EQ(run.ExitCode, 0);
@@ -73,7 +73,7 @@ TEST(Check, WarningsAreNoErrors)
 
 TEST(Check, WritesFindingsAndFaultyElements)
 {
-  const fs::path folder = FreshFolder("check-output");
+  const fs::path folder = TestFolder("check-output");
   const std::string bad = Write(folder / "bad.off", Crossing);
   const auto run = RunProgram("pemesh", { "check", bad, "-o", folder / "out" });
   EXPECT_EQ(run.ExitCode, 1);
@@ -92,7 +92,7 @@ TEST(Check, WritesFindingsAndFaultyElements)
 
 TEST(Check, RepairsIntoAnotherFolder)
 {
-  const fs::path folder = FreshFolder("check-repair");
+  const fs::path folder = TestFolder("check-repair");
   const std::string bad = Write(folder / "bad.off", Mendable);
   const auto run = RunProgram("pemesh", { "check", bad, "--repair", "-o", folder / "out" });
   EXPECT_EQ(run.ExitCode, 0) << run.Output << run.Errors;
@@ -106,7 +106,7 @@ TEST(Check, RepairsIntoAnotherFolder)
 
 TEST(Check, NeverWritesOverItsInput)
 {
-  const fs::path folder = FreshFolder("check-over");
+  const fs::path folder = TestFolder("check-over");
   const std::string bad = Write(folder / "bad.off", Mendable);
   fs::create_directories(folder / "other");
   for (const fs::path& same : { folder, folder / "other" / ".." })
@@ -125,7 +125,7 @@ TEST(Check, NeverWritesOverItsInput)
 
 TEST(Check, PrintsJson)
 {
-  const fs::path folder = FreshFolder("check-json");
+  const fs::path folder = TestFolder("check-json");
   const std::string bad = Write(folder / "bad.off", Mendable);
   const auto run = RunProgram("pemesh", { "check", bad, folder / "no.off", "--json" });
   EXPECT_EQ(run.ExitCode, 1);
@@ -138,7 +138,7 @@ TEST(Check, PrintsJson)
 
 TEST(Check, ComparesWithADomain)
 {
-  const fs::path folder = FreshFolder("check-domain");
+  const fs::path folder = TestFolder("check-domain");
   const std::string good = Write(folder / "good.off", Good);
   const std::string square =
     Write(folder / "square.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
@@ -154,7 +154,7 @@ TEST(Check, ComparesWithADomain)
 
 TEST(Check, WrongUsage)
 {
-  const fs::path folder = FreshFolder("check-usage");
+  const fs::path folder = TestFolder("check-usage");
   const std::string good = Write(folder / "good.off", Good);
   EXPECT_EQ(RunProgram("pemesh", { "check" }).ExitCode, 2);
   const auto run = RunProgram("pemesh", { "check", good, "--only", "simpel" });
@@ -168,7 +168,7 @@ TEST(Check, WrongUsage)
 
 TEST(Check, TheMeshesOfTheQuickstartAreGood)
 {
-  const fs::path folder = FreshFolder("check-quickstart");
+  const fs::path folder = TestFolder("check-quickstart");
   const auto made = RunProgram("pemesh",
     { "generate", PEMESH_SOURCE_DIR "/Data/Studies/quickstart.json", "-o", folder / "meshes",
       "--format", "off" });

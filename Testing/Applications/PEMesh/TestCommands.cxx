@@ -19,8 +19,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -74,7 +74,7 @@ TEST(Commands, ListPrintsEveryTable)
 
 TEST(Commands, MetricsGivesARowAMeshAndARowAnElement)
 {
-  const fs::path folder = FreshFolder("metrics");
+  const fs::path folder = TestFolder("metrics");
   const std::string mesh = WriteTwoRectangles(folder);
   const auto run = RunProgram(
     "pemesh", { "metrics", mesh, "-o", folder / "summary.csv", "--cells", folder / "cells" });
@@ -95,7 +95,7 @@ TEST(Commands, MetricsGivesARowAMeshAndARowAnElement)
 
 TEST(Commands, MetricsToStandardOutputOfChosenOnes)
 {
-  const fs::path folder = FreshFolder("metrics-only");
+  const fs::path folder = TestFolder("metrics-only");
   const auto run =
     RunProgram("pemesh", { "metrics", WriteTwoRectangles(folder), "--only", "Area,EdgeRatio" });
   ASSERT_EQ(run.ExitCode, 0) << run.Errors;
@@ -114,7 +114,7 @@ TEST(Commands, MetricsToStandardOutputOfChosenOnes)
 
 TEST(Commands, MetricsGivesOtherStatisticsOfGroups)
 {
-  const fs::path folder = FreshFolder("metrics-statistics");
+  const fs::path folder = TestFolder("metrics-statistics");
   const std::string mesh = WriteTwoRectangles(folder);
   const auto run = RunProgram("pemesh",
     { "metrics", mesh, mesh, "-o", folder / "summary.csv", "--only", "Area,jumps,solver",
@@ -147,7 +147,7 @@ TEST(Commands, MetricsGivesOtherStatisticsOfGroups)
 
 TEST(Commands, GenerateMakesMeshesOnly)
 {
-  const fs::path folder = FreshFolder("generate");
+  const fs::path folder = TestFolder("generate");
   std::ofstream(folder / "s.json") << R"({"pemesh": 1, "polygons": [{"family": "maze"}],
            "sweep": [{"parameter": "t", "from": 0, "to": 0.5, "count": 2}]})";
   const auto run = RunProgram(
@@ -161,7 +161,7 @@ TEST(Commands, GenerateMakesMeshesOnly)
 
 TEST(Commands, SolveThenCorrelateThenPlot)
 {
-  const fs::path folder = FreshFolder("solve");
+  const fs::path folder = TestFolder("solve");
   std::vector<std::string> arguments = { "solve" };
   for (const char* name : { "Slices1.off", "Slices2.off", "Slices3.off" })
   {
@@ -210,7 +210,7 @@ TEST(Commands, SolveThenCorrelateThenPlot)
 
 TEST(Commands, RenderDrawsSeveralMeshesSideBySide)
 {
-  const fs::path folder = FreshFolder("render-several");
+  const fs::path folder = TestFolder("render-several");
   const std::string maze = Meshes / "Maze2.obj";
   const auto run = RunProgram("pemesh",
     { "render", maze, maze, maze, "--columns", "3", "--captions", "one,two,three", "--title",
@@ -226,7 +226,7 @@ TEST(Commands, RenderDrawsSeveralMeshesSideBySide)
 
 TEST(Commands, RenderDrawsAMetricThatTheFileDoesNotHold)
 {
-  const fs::path folder = FreshFolder("render");
+  const fs::path folder = TestFolder("render");
   const std::string mesh = Meshes / "Maze2.obj";
   const auto run = RunProgram("pemesh",
     { "render", mesh, "--color-by", "KernelAreaRatio", "--highlight", "both", "-o",

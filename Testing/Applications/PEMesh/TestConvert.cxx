@@ -16,8 +16,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -36,7 +36,7 @@ std::string Write(const fs::path& path, const std::string& text)
 
 TEST(Convert, OneFileToOne)
 {
-  const fs::path folder = FreshFolder("convert-one");
+  const fs::path folder = TestFolder("convert-one");
   const std::string mesh = Write(folder / "m.off", Square);
   const std::string to = folder / "new" / "m.obj";
   const auto run = RunProgram("pemesh", { "convert", mesh, "-o", to });
@@ -50,7 +50,7 @@ TEST(Convert, OneFileToOne)
 
 TEST(Convert, SeveralToAFolder)
 {
-  const fs::path folder = FreshFolder("convert-several");
+  const fs::path folder = TestFolder("convert-several");
   fs::create_directories(folder / "other");
   const std::string a = Write(folder / "m.off", Square);
   const std::string b = Write(folder / "other" / "m.off", Square);
@@ -66,7 +66,7 @@ TEST(Convert, SeveralToAFolder)
 
 TEST(Convert, SaysWhatIsLost)
 {
-  const fs::path folder = FreshFolder("convert-lost");
+  const fs::path folder = TestFolder("convert-lost");
   const std::string mesh = Write(folder / "m.off", Square);
   const auto stl = RunProgram("pemesh", { "convert", mesh, "-o", folder / "m.stl" });
   EXPECT_EQ(stl.ExitCode, 0);
@@ -76,7 +76,7 @@ TEST(Convert, SaysWhatIsLost)
 
 TEST(Convert, RefusesWhatMakesNoSense)
 {
-  const fs::path folder = FreshFolder("convert-refuses");
+  const fs::path folder = TestFolder("convert-refuses");
   const std::string mesh = Write(folder / "m.off", Square);
   const std::string other = Write(folder / "n.off", Square);
   const auto refused = [&](std::vector<std::string> arguments, const std::string& why)

@@ -19,8 +19,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -59,7 +59,7 @@ std::vector<std::string> Arguments(
 
 TEST(Findings, OfSeveralStudiesAreSentencesAndATable)
 {
-  const fs::path folder = FreshFolder("findings");
+  const fs::path folder = TestFolder("findings");
   const auto files = WriteFamilies(folder);
   const auto run = RunProgram("pemesh",
     Arguments(files,
@@ -87,7 +87,7 @@ TEST(Findings, OfSeveralStudiesAreSentencesAndATable)
 
 TEST(Findings, OfPooledStudiesCanBePlottedByStudy)
 {
-  const fs::path folder = FreshFolder("pooled");
+  const fs::path folder = TestFolder("pooled");
   const auto run = RunProgram("pemesh",
     Arguments(
       WriteFamilies(folder), { "-o", folder / "pairs.csv", "--pooled", folder / "all.csv" }));
@@ -104,7 +104,7 @@ TEST(Findings, OfPooledStudiesCanBePlottedByStudy)
 
 TEST(Findings, OfOneFamilyHaveNoPValues)
 {
-  const fs::path folder = FreshFolder("one-family");
+  const fs::path folder = TestFolder("one-family");
   const auto run = RunProgram(
     "pemesh", Arguments({ WriteFamilies(folder).front() }, { "-o", folder / "pairs.csv" }));
   ASSERT_EQ(run.ExitCode, 0) << run.Errors;
@@ -115,7 +115,7 @@ TEST(Findings, OfOneFamilyHaveNoPValues)
 
 TEST(Findings, TakePerformancesOfTheUsersOwn)
 {
-  const fs::path folder = FreshFolder("join");
+  const fs::path folder = TestFolder("join");
   const auto files = WriteFamilies(folder);
   std::ofstream(folder / "mine.csv") << "Mesh,iterations\nm0,10\nm1,11\nm2,13\nm3,17\nm4,20\n";
   const auto run = RunProgram("pemesh",
@@ -134,7 +134,7 @@ TEST(Findings, TakePerformancesOfTheUsersOwn)
 
 TEST(Findings, OptionsThatDoNotFitAreOneSentence)
 {
-  const fs::path folder = FreshFolder("wrong-options");
+  const fs::path folder = TestFolder("wrong-options");
   const auto files = WriteFamilies(folder);
   for (const auto& [option, value, sentence] : std::vector<std::array<std::string, 3>>{
          { "--given", "MehsSize", "\"MeshSize\"" }, { "--family", "Stduy", "\"Study\"" },
@@ -153,7 +153,7 @@ TEST(Findings, OptionsThatDoNotFitAreOneSentence)
 
 TEST(Findings, OfAStudyComeWithItsResultsAndItsPage)
 {
-  const fs::path folder = FreshFolder("study-findings");
+  const fs::path folder = TestFolder("study-findings");
   std::ofstream(folder / "s.json") << R"({"pemesh": 1, "name": "two-families",
     "polygons": [{"family": "zeta"}],
     "sweep": [{"parameter": "polygons[0].family", "name": "family", "values": ["zeta", "u-like"]},

@@ -19,8 +19,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -51,7 +51,7 @@ double Value(vtkTable* table, vtkIdType row, const char* column)
 
 TEST(MetricsCommand, SaysTheSameAsAStudy)
 {
-  const fs::path folder = FreshFolder("metrics-as-study");
+  const fs::path folder = TestFolder("metrics-as-study");
   const std::string a = WriteMesh(folder, "a.off", TwoRectangles);
   const std::string b = WriteMesh(folder, "b.off", WithTriangle);
   std::ofstream(folder / "study.json") << R"({"pemesh": 1, "meshes": "*.off", "metrics": {
@@ -84,7 +84,7 @@ TEST(MetricsCommand, SaysTheSameAsAStudy)
 
 TEST(MetricsCommand, ASettingIsAKeyOfMetrics)
 {
-  const fs::path folder = FreshFolder("metrics-set");
+  const fs::path folder = TestFolder("metrics-set");
   WriteMesh(folder, "a.off", TwoRectangles);
   std::ofstream(folder / "study.json") << R"({"pemesh": 1, "meshes": "*.off", "metrics": "all"})";
   const auto run = RunProgram("pemesh",
@@ -98,7 +98,7 @@ TEST(MetricsCommand, ASettingIsAKeyOfMetrics)
 
 TEST(MetricsCommand, WrongChoicesAreRefusedInASentence)
 {
-  const fs::path folder = FreshFolder("metrics-wrong");
+  const fs::path folder = TestFolder("metrics-wrong");
   const std::string mesh = WriteMesh(folder, "a.off", TwoRectangles);
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
     { { "--mesh", "Elemnts" }, "nearest is \"Elements\"" },
@@ -130,7 +130,7 @@ TEST(MetricsCommand, WrongChoicesAreRefusedInASentence)
 
 TEST(MetricsCommand, UndefinedIsNaNAndCounted)
 {
-  const fs::path folder = FreshFolder("metrics-undefined");
+  const fs::path folder = TestFolder("metrics-undefined");
   const std::string mesh = WriteMesh(folder, "flat.off", WithFlat);
   const auto run = RunProgram("pemesh",
     { "metrics", mesh, "-o", folder / "m.csv", "--cells", folder / "cells", "--only",
@@ -153,7 +153,7 @@ TEST(MetricsCommand, UndefinedIsNaNAndCounted)
 
 TEST(MetricsCommand, AnInterruptKeepsTheRowsDone)
 {
-  const fs::path folder = FreshFolder("metrics-interrupted");
+  const fs::path folder = TestFolder("metrics-interrupted");
   WriteMesh(folder, "a.off", TwoRectangles);
   // The second mesh is a pipe: the program waits for it, and is interrupted there.
   const fs::path pemesh = fs::path(PEMESH_BINARY_DIR) / "bin" / "pemesh";
@@ -172,7 +172,7 @@ TEST(MetricsCommand, AnInterruptKeepsTheRowsDone)
 
 TEST(RenderCommand, FramesAndCountsASelection)
 {
-  const fs::path folder = FreshFolder("render-selection");
+  const fs::path folder = TestFolder("render-selection");
   const std::string mesh = WriteMesh(folder, "b.off", WithTriangle);
   const auto run = RunProgram("pemesh",
     { "render", mesh, "--color-by", "Area", "--selection", "MinAngle::1", "--highlight", "both",

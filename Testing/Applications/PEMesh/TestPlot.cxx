@@ -17,8 +17,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -41,7 +41,7 @@ fs::path WriteTable(const fs::path& folder, const std::string& name, double shif
 
 TEST(Plot, DrawsEveryKindThatIsListed)
 {
-  const fs::path folder = FreshFolder("plot-kinds");
+  const fs::path folder = TestFolder("plot-kinds");
   const std::string table = WriteTable(folder, "table.csv", 0.0);
   const auto list = RunProgram("pemesh", { "list", "charts" });
   ASSERT_EQ(list.ExitCode, 0);
@@ -66,7 +66,7 @@ TEST(Plot, DrawsEveryKindThatIsListed)
 
 TEST(Plot, FitsAndStylesAreInTheFigure)
 {
-  const fs::path folder = FreshFolder("plot-style");
+  const fs::path folder = TestFolder("plot-style");
   const std::string table = WriteTable(folder, "table.csv", 0.0);
   std::ofstream(folder / "paper.json") << R"({"palette": "muted", "font-size": 10})";
   const fs::path figure = folder / "fit.svg";
@@ -85,7 +85,7 @@ TEST(Plot, FitsAndStylesAreInTheFigure)
 
 TEST(Plot, TablesOfSeveralMeshesAreToldApart)
 {
-  const fs::path folder = FreshFolder("plot-several");
+  const fs::path folder = TestFolder("plot-several");
   const std::string first = WriteTable(folder, "first.csv", 0.0);
   const std::string second = WriteTable(folder, "second.csv", 1.0);
   const auto run = RunProgram("pemesh",
@@ -97,7 +97,7 @@ TEST(Plot, TablesOfSeveralMeshesAreToldApart)
 
 TEST(Plot, WhatIsWrongIsSaidInOneSentence)
 {
-  const fs::path folder = FreshFolder("plot-wrong");
+  const fs::path folder = TestFolder("plot-wrong");
   const std::string table = WriteTable(folder, "table.csv", 0.0);
   const auto errors = [&](std::vector<std::string> arguments)
   {
@@ -120,7 +120,7 @@ TEST(Plot, WhatIsWrongIsSaidInOneSentence)
 
 TEST(Plot, StudiesDrawElementsOfSeveralMeshes)
 {
-  const fs::path folder = FreshFolder("plot-study");
+  const fs::path folder = TestFolder("plot-study");
   std::ofstream(folder / "study.json") << R"({"pemesh": 1, "name": "charts",
     "polygons": [{"family": "star", "center": [0.5, 0.5]}],
     "sweep": [{"parameter": "t", "from": 0, "to": 0.6, "count": 3}],

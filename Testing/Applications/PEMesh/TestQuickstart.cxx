@@ -21,8 +21,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 
 namespace
 {
@@ -50,7 +50,7 @@ vtkIdType CountFiles(const fs::path& folder, const std::string& extension)
 
 TEST(Quickstart, LeavesTheWholeFolderAndTheSameBytesWithAnyNumberOfWorkers)
 {
-  const fs::path folder = FreshFolder("quickstart");
+  const fs::path folder = TestFolder("quickstart");
   const auto one = RunProgram("pemesh", { "run", Quickstart, "-o", folder / "one", "-j", "1" });
   ASSERT_EQ(one.ExitCode, 0) << one.Output << one.Errors;
   EXPECT_EQ(one.Errors, "") << "no progress bar in a pipe, no warnings";
@@ -92,7 +92,7 @@ TEST(Quickstart, LeavesTheWholeFolderAndTheSameBytesWithAnyNumberOfWorkers)
 
 TEST(Quickstart, MeshFilesHoldMetricsAndSolution)
 {
-  const fs::path folder = FreshFolder("quickstart-arrays");
+  const fs::path folder = TestFolder("quickstart-arrays");
   const auto run = RunProgram("pemesh",
     { "run", Quickstart, "-o", folder / "out", "--set", "sweep.0.count=2", "--set", "plots=[]" });
   ASSERT_EQ(run.ExitCode, 0) << run.Errors;
@@ -120,7 +120,7 @@ TEST(Quickstart, MeshFilesHoldMetricsAndSolution)
 
 TEST(Quickstart, TheStudyItWritesGivesTheSameResults)
 {
-  const fs::path folder = FreshFolder("quickstart-again");
+  const fs::path folder = TestFolder("quickstart-again");
   const std::vector<std::string> fewer = { "--set", "sweep.0.count=3", "--set", "plots=[]" };
   std::vector<std::string> arguments = { "run", Quickstart, "-o", folder / "one" };
   arguments.insert(arguments.end(), fewer.begin(), fewer.end());
@@ -133,7 +133,7 @@ TEST(Quickstart, TheStudyItWritesGivesTheSameResults)
 
 TEST(MeshFolder, StudyOfRealFilesDoesTheSameFromTheMetricsOn)
 {
-  const fs::path folder = FreshFolder("mesh-folder");
+  const fs::path folder = TestFolder("mesh-folder");
   const fs::path meshes = fs::path(PEMESH_TEST_DATA) / "Meshes" / "exercise_1_2";
   std::ofstream(folder / "study.json")
     << R"({"pemesh": 1, "name": "real", "meshes": ")" << (meshes / "*.off").string()

@@ -31,7 +31,7 @@ inline std::string Page(const std::filesystem::path& folder)
 /** Six meshes of a comb and their areas, in a folder. */
 inline std::filesystem::path RunSmallStudy(const std::string& name)
 {
-  const std::filesystem::path folder = pemesh::FreshFolder(name);
+  const std::filesystem::path folder = pemesh::TestFolder(name);
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(R"({"pemesh": 1, "name": "small", "polygons": [{"family": "zeta"}],
       "metrics": ["Area", "MinAngle"],

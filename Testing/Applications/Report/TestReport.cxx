@@ -23,7 +23,7 @@ namespace
 /** Results with everything that a page must not take for markup. */
 fs::path WriteHostileFolder(const std::string& name)
 {
-  const fs::path folder = pemesh::FreshFolder(name);
+  const fs::path folder = pemesh::TestFolder(name);
   std::ofstream(folder / "study.json")
     << R"({"pemesh": 1, "name": "<script>alert(1)<script> & \"quotes\"", "written-by": "PEMesh <b>",
            "meshes": ["a.off"], "solvers": [{"solver": "no-such-solver", "name": "run"}]})";
@@ -144,7 +144,7 @@ TEST(Report, TellsTheObservedOrder)
 /** One performance of two runs: one chart with a colour each, and not one chart each. */
 TEST(Report, ComparesSolversAndShowsTheHeatMap)
 {
-  const fs::path folder = pemesh::FreshFolder("two-solvers");
+  const fs::path folder = pemesh::TestFolder("two-solvers");
   std::ofstream(folder / "study.json") << R"({"pemesh": 1, "name": "two", "meshes": ["*.off"],
     "style": {"palette": "ibm"},
     "solvers": [{"solver": "pemesh-vem", "name": "low"}, {"solver": "pemesh-vem", "name": "high"}]})";
@@ -173,7 +173,7 @@ TEST(Report, ComparesSolversAndShowsTheHeatMap)
 
 TEST(Report, OfWhatIsNoStudyIsASentence)
 {
-  const fs::path folder = pemesh::FreshFolder("nothing");
+  const fs::path folder = pemesh::TestFolder("nothing");
   EXPECT_THAT(pages::Page(folder), HasSubstr("does not hold the results of a study"));
   EXPECT_FALSE(fs::exists(folder / "report.html"));
   std::ofstream(folder / "study.json") << R"({"pemesh": 1, "name": "e", "meshes": ["a.off"]})";

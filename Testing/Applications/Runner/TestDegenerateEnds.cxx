@@ -36,10 +36,7 @@ using Json = nlohmann::ordered_json;
 /** Runs a study with all metrics; every mesh must be good, or refused by the name of a polygon. */
 int JudgeStudy(const Json& document, const std::string& name)
 {
-  // Tests run side by side, so each has a folder of its own.
-  std::string test = testing::UnitTest::GetInstance()->current_test_info()->name();
-  std::replace(test.begin(), test.end(), '/', '-');
-  const fs::path folder = pemesh::FreshFolder(name + "-" + test);
+  const fs::path folder = pemesh::TestFolder(name);
   const std::string text = document.dump();
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(text, folder.string());

@@ -27,7 +27,7 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
+using pemesh::TestFolder;
 
 namespace
 {
@@ -126,7 +126,7 @@ class RandomStudies : public testing::TestWithParam<int>
 
 TEST_P(RandomStudies, AreMeshedOrRefusedByName)
 {
-  const fs::path folder = FreshFolder("random-studies-" + std::to_string(GetParam()));
+  const fs::path folder = TestFolder("random-studies-" + std::to_string(GetParam()));
   WriteDrawnFiles(folder);
   double meshes = 0.0;
   for (int i = 0; i < PEMESH_RANDOM_PART; ++i)

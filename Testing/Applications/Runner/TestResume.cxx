@@ -22,8 +22,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -51,7 +51,7 @@ class ResumeTest : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Folder = FreshFolder(testing::UnitTest::GetInstance()->current_test_info()->name());
+    this->Folder = TestFolder();
     WriteFile(this->Folder / "solver.sh",
       "#!/bin/sh\n"
       "echo \"$2\" >> '" +

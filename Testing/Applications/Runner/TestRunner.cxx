@@ -17,7 +17,7 @@
 #include <vtkTable.h>
 
 namespace fs = std::filesystem;
-using pemesh::FreshFolder;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -34,7 +34,7 @@ std::string SmallStudy(int count)
 
 TEST(Runner, ReportsProgressFromTheCallingThreadUpToOne)
 {
-  const fs::path folder = FreshFolder("progress");
+  const fs::path folder = TestFolder("progress");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(5), folder.string());
   runner->SetOutputDirectory(folder / "out");
@@ -54,7 +54,7 @@ TEST(Runner, ReportsProgressFromTheCallingThreadUpToOne)
 
 TEST(Runner, StopKeepsWhatIsDone)
 {
-  const fs::path folder = FreshFolder("stop");
+  const fs::path folder = TestFolder("stop");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(200), folder.string());
   runner->SetOutputDirectory(folder / "out");
@@ -86,7 +86,7 @@ TEST(Runner, IsRefusedInOneSentence)
   EXPECT_EQ(runner->GetMessages().size(), 1U);
   runner->SetStudyText(SmallStudy(2), ".");
   runner->AddSetting("metrics=[\"Aera\"]");
-  runner->SetOutputDirectory(FreshFolder("refused").string());
+  runner->SetOutputDirectory(TestFolder("refused").string());
   EXPECT_FALSE(runner->Run());
   EXPECT_TRUE(runner->GetRefused());
   ASSERT_EQ(runner->GetMessages().size(), 1U);
@@ -95,7 +95,7 @@ TEST(Runner, IsRefusedInOneSentence)
 
 TEST(Runner, RunsTwiceIntoTheSameFolder)
 {
-  const fs::path folder = FreshFolder("twice");
+  const fs::path folder = TestFolder("twice");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(2), folder.string());
   runner->SetOutputDirectory(folder / "out");
@@ -107,7 +107,7 @@ TEST(Runner, RunsTwiceIntoTheSameFolder)
 
 TEST(Runner, WhatIsRefusedForgetsTheRunBefore)
 {
-  const fs::path folder = FreshFolder("forget");
+  const fs::path folder = TestFolder("forget");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(2), folder.string());
   runner->SetOutputDirectory(folder / "out");
@@ -126,7 +126,7 @@ TEST(Runner, WhatIsRefusedForgetsTheRunBefore)
 
 TEST(Runner, ResultsThatCannotBeWrittenAreNotLost)
 {
-  const fs::path folder = FreshFolder("unwritable");
+  const fs::path folder = TestFolder("unwritable");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(3), folder.string());
   runner->SetOutputDirectory(folder / "out");
@@ -150,7 +150,7 @@ TEST(Runner, ResultsThatCannotBeWrittenAreNotLost)
 
 TEST(Runner, WhoeverThrowsInTheMiddleLeavesNoWorkersBehind)
 {
-  const fs::path folder = FreshFolder("throw");
+  const fs::path folder = TestFolder("throw");
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(SmallStudy(200), folder.string());
   runner->SetOutputDirectory(folder / "out");

@@ -4,6 +4,7 @@
  * From the polygons of a study to those of a layout, and that nothing is done twice.
  */
 #include "StudyLayout.h"
+#include "TestFolder.h"
 
 #include "StudyFile.h"
 #include "TextFile.h"
@@ -25,17 +26,15 @@ using pemesh::ConfigureLayout;
 using pemesh::Study;
 using testing::HasSubstr;
 
-const std::filesystem::path Folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "study-layout";
-
 Study ReadText(const std::string& members)
 {
-  return pemesh::ParseStudy("{\"pemesh\": 1, " + members + "}", Folder / "s.json");
+  return pemesh::ParseStudy("{\"pemesh\": 1, " + members + "}", pemesh::TestPath() / "s.json");
 }
 
 /** Polygons of every kind, and scattered ones; `more` are further members of the first polygon. */
 Study EveryKind(const std::string& more = "")
 {
-  pemesh::WriteTextFile(Folder / "shapes/t.csv", "0 0\n4 0\n0 3\n");
+  pemesh::WriteTextFile(pemesh::TestPath() / "shapes/t.csv", "0 0\n4 0\n0 3\n");
   return ReadText(R"("polygons": [
     {"family": "comb", "center": [0.2, 0.2], "scale": 0.4, "rotation": 30,
      "name": "c", "from": 0.25, "to": 0.5)" +
@@ -76,7 +75,7 @@ TEST(StudyLayout, PlacesPolygonsOfEveryKindAndScattersOthers)
   EXPECT_EQ(layout->GetPolygonTo(0), 0.5);
   EXPECT_EQ(layout->GetPolygonName(1), "polygon 2 (random)");
   EXPECT_EQ(layout->GetPolygonParameter(1, "seed"), 3);
-  EXPECT_EQ(layout->GetPolygonFile(2), (Folder / "shapes/t.csv").string());
+  EXPECT_EQ(layout->GetPolygonFile(2), (pemesh::TestPath() / "shapes/t.csv").string());
   EXPECT_EQ(layout->GetPolygonScale(2), 0.5);
   EXPECT_THAT(layout->GetPolygonPoints(3), testing::ElementsAre(0.7, 0.7, 0.9, 0.7, 0.7, 0.9));
   EXPECT_EQ(layout->GetPolygonFrom(6), 0.5);
@@ -100,7 +99,7 @@ TEST(StudyLayout, AnEqualStudyModifiesNothingAndAnotherDoes)
     [](Study& s) { s.Polygons[3].Points[0][0] = 0.71; }, [](Study& s) { s.Polygons.pop_back(); },
     [](Study& s) { s.Scatter->Seed = 1; }, [](Study& s) { s.Scatter->Count = 4; },
     [](Study& s) { s.Scatter.reset(); },
-    [](Study&) { pemesh::WriteTextFile(Folder / "shapes/t.csv", "0 0\n4 0\n0 2\n"); } };
+    [](Study&) { pemesh::WriteTextFile(pemesh::TestPath() / "shapes/t.csv", "0 0\n4 0\n0 2\n"); } };
   for (const auto& change : changes)
   {
     Study changed = study;

@@ -16,7 +16,7 @@
 #include <vtkVariant.h>
 
 namespace fs = std::filesystem;
-using pemesh::FreshFolder;
+using pemesh::TestFolder;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -28,9 +28,8 @@ struct StudyRun
 {
   explicit StudyRun(const std::string& keys, int workers = 2)
   {
-    static int number = 0; // tests run side by side, so the name of the test is part of it
-    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-    this->Folder = FreshFolder("sweep-" + std::string(test->name()) + std::to_string(number++));
+    static int number = 0;
+    this->Folder = TestFolder("sweep-" + std::to_string(number++));
     this->Runner->SetStudyText(
       R"({"pemesh": 1, "name": "s", )" + keys + "}", this->Folder.string());
     this->Runner->SetOutputDirectory(this->Folder / "out");

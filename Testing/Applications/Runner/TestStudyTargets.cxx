@@ -16,7 +16,7 @@ namespace
 /** What a study with an agglomeration says of a target of 1000 elements; empty if it is reached. */
 std::string MessageFor(const std::string& agglomeration)
 {
-  const auto folder = pemesh::FreshFolder("study-targets");
+  const auto folder = pemesh::TestFolder();
   vtkNew<vtkPEMRunner> runner;
   runner->SetStudyText(
     R"({ "pemesh": 1, "name": "target", "polygons": [{ "family": "star", "to": 0.1 }], "sweep": [],

@@ -193,7 +193,7 @@ std::string MakeStudy(const fs::path& folder)
 
 TEST(Torture, TheStudyEndsAndNamesEveryFailure)
 {
-  const fs::path root = pemesh::FreshFolder("torture");
+  const fs::path root = pemesh::TestFolder("torture");
   const fs::path folder = root / "it's \"odd\";\n ü 网 $(x) {mode} -";
   const std::string study = MakeStudy(folder);
   WriteFile(folder / "out-of-bounds" / "precious", "mine");

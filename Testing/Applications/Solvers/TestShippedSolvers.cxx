@@ -22,8 +22,8 @@
 
 namespace fs = std::filesystem;
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 namespace
@@ -100,7 +100,7 @@ TEST_P(Shipped, PassesTheCheck)
 
 TEST_P(Shipped, ConvergesOnRefinedMeshes)
 {
-  const fs::path folder = FreshFolder(std::string("converges-") + GetParam().Name);
+  const fs::path folder = TestFolder(std::string("converges-") + GetParam().Name);
   std::vector<std::string> arguments{ "solve" };
   for (const int n : { 4, 8, 16 })
   {
@@ -139,7 +139,7 @@ TEST(ShippedSolvers, TheBundledOnePassesTheCheck)
 
 TEST(ShippedSolvers, ResultsComputedElsewhereAreReplayed)
 {
-  const fs::path folder = FreshFolder("replay");
+  const fs::path folder = TestFolder("replay");
   WriteFile(folder / "a.off", Quadrilaterals(1));
   WriteFile(folder / "their results" / "a-solution.txt", "1\n2\n3\n4\n");
   const std::string results = folder / "their results";
@@ -158,7 +158,7 @@ TEST(ShippedSolvers, ResultsComputedElsewhereAreReplayed)
 
 TEST(ShippedSolvers, ResultsOfVersionOneAreRead)
 {
-  const fs::path folder = FreshFolder("version-1");
+  const fs::path folder = TestFolder("version-1");
   std::vector<std::string> arguments{ "solve" };
   for (const std::string name : { "b", "a", "c" })
   {

@@ -10,9 +10,9 @@
 #include <string>
 
 namespace fs = std::filesystem;
-using pemesh::FreshFolder;
 using pemesh::ProgramRun;
 using pemesh::RunProgram;
+using pemesh::TestFolder;
 using testing::AllOf;
 using testing::HasSubstr;
 
@@ -26,10 +26,7 @@ const std::string Good = "sed -n '3,13p' \"$1\" | cut -d' ' -f1 > \"$2-solution.
 class SolversCheck : public testing::Test
 {
 protected:
-  void SetUp() override
-  {
-    this->Folder = FreshFolder(testing::UnitTest::GetInstance()->current_test_info()->name());
-  }
+  void SetUp() override { this->Folder = TestFolder(); }
 
   ProgramRun CheckScript(const std::string& script, const std::string& more = "")
   {

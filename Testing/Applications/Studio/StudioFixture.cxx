@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudioFixture.h"
+#include "TestFolder.h"
 
 #include "LogDock.h"
 #include "ResultSet.h"
@@ -65,7 +66,7 @@ bool Studio::WaitForMesh()
 
 std::filesystem::path Studio::MakeStudy(const std::string& name, int count)
 {
-  const std::filesystem::path folder = MakeFolder(name);
+  const std::filesystem::path folder = pemesh::TestFolder(name);
   StudyModel* model = this->Window.GetModel();
   this->AddFamily("family-star");
   model->SetValue(

@@ -9,6 +9,7 @@
 #include <QProcess>
 #include <QSettings>
 #include <QStandardPaths>
+#include <QTemporaryDir>
 
 #include <csignal>
 #include <cstdio>
@@ -18,7 +19,9 @@
 namespace
 {
 
-constexpr const char* DisplayOfTests = "PEMESH_TEST_DISPLAY"; // for the programs that they start
+// For the programs that the tests start, which use the same.
+constexpr const char* DisplayOfTests = "PEMESH_TEST_DISPLAY";
+constexpr const char* HomeOfTests = "PEMESH_TEST_HOME";
 
 /** False if there is no display to be had. */
 bool StartDisplay(QProcess& server)
@@ -61,8 +64,14 @@ int main(int argc, char* argv[])
   {
     QApplication application(argc, argv);
     QStandardPaths::setTestModeEnabled(true);
-    QSettings::setPath(
-      QSettings::NativeFormat, QSettings::UserScope, QStringLiteral(PEMESH_TEST_OUTPUT));
+    // Other tests run beside: settings and kept studies are of this process.
+    QTemporaryDir home(QStringLiteral(PEMESH_TEST_OUTPUT "/home-XXXXXX"));
+    if (!qEnvironmentVariableIsSet(HomeOfTests))
+    {
+      qputenv(HomeOfTests, home.path().toUtf8());
+      qputenv("HOME", home.path().toUtf8());
+    }
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, home.path());
     QApplication::setOrganizationName(QStringLiteral("PEMesh"));
     QApplication::setApplicationName(QStringLiteral("pemesh-studio-test"));
     pemesh::ApplyTheme(application, pemesh::ThemeChoice::Light);

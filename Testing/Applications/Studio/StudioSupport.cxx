@@ -43,14 +43,6 @@ void Keep(QWidget* widget, const char* name)
   EXPECT_TRUE(widget->grab().save(file)) << file.toStdString();
 }
 
-std::string MakeFolder(const std::string& name)
-{
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder.string();
-}
-
 std::string ReadFile(const std::string& path)
 {
   std::ifstream file(path, std::ios::binary);

@@ -29,9 +29,6 @@ void Keep(QWidget* widget, const char* name);
 /** Presses the left button, moves in some steps and lets it go. */
 void Drag(QWidget* widget, const QPoint& from, const QPoint& to);
 
-/** A new folder of this test. */
-std::string MakeFolder(const std::string& name);
-
 std::string ReadFile(const std::string& path);
 
 /** The longest time between two turns of the event loop. */

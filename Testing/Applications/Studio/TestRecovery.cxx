@@ -5,6 +5,7 @@
 #include "StudioSupport.h"
 #include "StudioWindow.h"
 #include "StudyModel.h"
+#include "TestFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -33,7 +34,7 @@ QStringList KeptStudies()
 class Recovery : public testing::Test
 {
 protected:
-  Recovery() { qputenv("HOME", studio_test::MakeFolder("recovery-home").c_str()); }
+  Recovery() { qputenv("HOME", pemesh::TestFolder("recovery-home").c_str()); }
   ~Recovery() override { qputenv("HOME", this->Before); }
 
   /** A program that edits a study and is killed. */

@@ -18,6 +18,7 @@
 #include "StudyModel.h"
 #include "StudyPreview.h"
 #include "StyleDialog.h"
+#include "TestFolder.h"
 
 #include <gmock/gmock.h>
 
@@ -240,7 +241,7 @@ TEST(StudioLanguage, EveryTextCanBeTranslated)
 
 TEST_F(StudioAccess, TheWholePathIsWalkedWithKeysAlone)
 {
-  const std::filesystem::path folder = studio_test::MakeFolder("keys");
+  const std::filesystem::path folder = pemesh::TestFolder("keys");
   StudyModel* model = this->Window.GetModel();
   model->SetValue("name", { std::string("keys") }, "name");
   model->Save(QString::fromStdString((folder / "keys.json").string()));

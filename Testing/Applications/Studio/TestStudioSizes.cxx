@@ -10,6 +10,7 @@
 #include "SolverPage.h"
 #include "StudioFixture.h"
 #include "StudioSupport.h"
+#include "TestFolder.h"
 
 #include <gmock/gmock.h>
 
@@ -118,6 +119,7 @@ TEST(StudioScreens, WorksOnADenseScreen)
   QProcess program;
   QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
   environment.insert("QT_SCALE_FACTOR", "2");
+  environment.insert("PEMESH_TEST_OUTPUT", QString::fromStdString(pemesh::TestFolder()));
   program.setProcessEnvironment(environment);
   program.setProcessChannelMode(QProcess::MergedChannels);
   program.start(QApplication::applicationFilePath(),

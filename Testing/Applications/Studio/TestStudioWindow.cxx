@@ -75,6 +75,18 @@ QPoint FindLowestMark(const QImage& image)
 
 } // namespace
 
+TEST_F(Studio, WhatIsAddedStaysSelectedWhenOutlinesOfBeforeComeIn)
+{
+  this->AddFamily("family-star");
+  LayoutCanvas* canvas = this->Window.GetMeshPage()->GetCanvas();
+  ASSERT_EQ(canvas->GetSelected(), 0);
+  canvas->SetOutlines({});
+  EXPECT_EQ(canvas->GetSelected(), 0);
+  this->Window.GetModel()->GetUndoStack()->undo();
+  canvas->SetOutlines({});
+  EXPECT_EQ(canvas->GetSelected(), -1);
+}
+
 TEST_F(Studio, APolygonIsAddedMovedScaledAndTurnedWithTheMouse)
 {
   StudyModel* model = this->Window.GetModel();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudioSupport.h"
 #include "StudyModel.h"
+#include "TestFolder.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -105,7 +106,7 @@ TEST(StudyModel, AnItemOfAListThatTheDocumentDoesNotGiveCanBeChanged)
 
 TEST(StudyModel, SavedElsewhereItNamesTheSameFiles)
 {
-  const std::filesystem::path folder = studio_test::MakeFolder("model-files");
+  const std::filesystem::path folder = pemesh::TestFolder("model-files");
   std::filesystem::create_directories(folder / "deep");
   std::ofstream(folder / "heart.csv") << "0,0\n1,0\n0,1\n";
   std::ofstream(folder / "study.json")
@@ -121,7 +122,7 @@ TEST(StudyModel, SavedElsewhereItNamesTheSameFiles)
 
 TEST(StudyModel, AFileThatIsNoStudyChangesNothing)
 {
-  const std::filesystem::path folder = studio_test::MakeFolder("model-bad");
+  const std::filesystem::path folder = pemesh::TestFolder("model-bad");
   std::ofstream(folder / "bad.json") << R"({"pemesh": 1, "polygon": []})";
   StudyModel model;
   model.AddItem("polygons", Star(), "add");

@@ -25,8 +25,8 @@ namespace
 {
 
 using pemesh::FileText;
-using pemesh::FreshFolder;
 using pemesh::ProgramRun;
+using pemesh::TestFolder;
 using testing::HasSubstr;
 
 const std::filesystem::path Meshes = std::filesystem::path(PEMESH_TEST_DATA) / "Meshes";
@@ -80,7 +80,7 @@ void ExpectRefused(const ProgramRun& run, int exitCode, const std::string& words
 
 TEST(VEMSolver, LeavesTheFilesOfTheContract)
 {
-  const auto folder = FreshFolder("contract") / "made" / "here";
+  const auto folder = TestFolder("contract") / "made" / "here";
   const ProgramRun run =
     RunSolver({ "--mesh", Jenga, "--output", folder.string(), "--problem", "franke-1979" });
   EXPECT_EQ(run.ExitCode, 0) << run.Errors;
@@ -112,7 +112,7 @@ TEST(VEMSolver, LeavesTheFilesOfTheContract)
 
 TEST(VEMSolver, TheFormatOfTheMeshDoesNotMatter)
 {
-  const auto folder = FreshFolder("formats");
+  const auto folder = TestFolder("formats");
   // The same two squares and two triangles, one vertex inside.
   std::ofstream(folder / "m.off") << "OFF\n5 4 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n.5 .4 0\n"
                                      "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
@@ -134,7 +134,7 @@ TEST(VEMSolver, TheFormatOfTheMeshDoesNotMatter)
 
 TEST(VEMSolver, ThreadsAndRepetitionChangeNothing)
 {
-  const auto folder = FreshFolder("threads");
+  const auto folder = TestFolder("threads");
   const std::string mesh = (Meshes / "vem_quality_2d/Triangle3.off").string();
   for (const char* threads : { "1", "2", "0" })
   {
@@ -155,7 +155,7 @@ TEST(VEMSolver, ThreadsAndRepetitionChangeNothing)
 
 TEST(VEMSolver, TheOptionsOfTheMethodAreHeard)
 {
-  const auto folder = FreshFolder("options");
+  const auto folder = TestFolder("options");
   const std::vector<std::vector<std::string>> choices = { {}, { "--p0", "vertex" },
     { "--load", "pinabla" }, { "--problem", "trigonometric" }, { "--order", "3" },
     { "--stabilisation", "none" }, { "--reaction", "1+x" }, { "--advection-x", "2" },
@@ -174,7 +174,7 @@ TEST(VEMSolver, TheOptionsOfTheMethodAreHeard)
 
 TEST(VEMSolver, AllDetailsAreNumbers)
 {
-  const auto folder = FreshFolder("details");
+  const auto folder = TestFolder("details");
   const ProgramRun run =
     RunSolver({ "--mesh", Jenga, "--output", folder.string(), "--order", "2", "--details", "all" });
   EXPECT_EQ(run.ExitCode, 0);
@@ -206,7 +206,7 @@ TEST(VEMSolver, SaysWhatItIsAndWhatItSolves)
 
 TEST(VEMSolver, WrongUsageIsToldInASentence)
 {
-  const std::string out = FreshFolder("usage").string();
+  const std::string out = TestFolder("usage").string();
   ExpectRefused(RunSolver({ "--output", out }), 2, "--mesh");
   ExpectRefused(RunSolver({ "--mesh", Jenga }), 2, "--output");
   ExpectRefused(RunSolver({ "--mesh", Jenga, "--output", out, "--order", "7" }), 2, "Order 7");
@@ -230,7 +230,7 @@ TEST(VEMSolver, WrongUsageIsToldInASentence)
 
 TEST(VEMSolver, BadMeshesAreToldInASentence)
 {
-  const auto folder = FreshFolder("bad");
+  const auto folder = TestFolder("bad");
   const std::string out = (folder / "out").string();
   const auto refuse = [&](const std::string& name, const std::string& text, const char* words)
   {
@@ -253,7 +253,7 @@ TEST(VEMSolver, BadMeshesAreToldInASentence)
 
 TEST(VEMSolver, AFolderThatCannotBeWrittenIsToldInASentence)
 {
-  const auto folder = FreshFolder("unwritable");
+  const auto folder = TestFolder("unwritable");
   std::ofstream(folder / "file") << "in the way";
   const ProgramRun run = RunSolver({ "--mesh", Jenga, "--output", (folder / "file").string() });
   ExpectRefused(run, 1, "file");
@@ -261,7 +261,7 @@ TEST(VEMSolver, AFolderThatCannotBeWrittenIsToldInASentence)
 
 TEST(VEMSolver, UndefinedAndMeaninglessNumbersAreMentioned)
 {
-  const auto folder = FreshFolder("notes");
+  const auto folder = TestFolder("notes");
   const ProgramRun undefined =
     RunSolver({ "--mesh", (Meshes / "vem_quality_2d/Jenga0.off").string(), "--output",
       folder.string(), "--problem", "trigonometric" });
@@ -309,7 +309,7 @@ TEST(VEMSolver, TheCommandOfTheDescriptionRuns)
 {
   std::ifstream file(PEMESH_SOURCE_DIR "/Applications/Solvers/pemesh-vem.json");
   const nlohmann::json description = nlohmann::json::parse(file);
-  const auto folder = FreshFolder("description");
+  const auto folder = TestFolder("description");
   std::vector<std::pair<std::string, std::string>> values = { { "{mesh}", Jenga },
     { "{output}", folder.string() }, { "{threads}", "1" } };
   for (const auto& option : description.at("options"))

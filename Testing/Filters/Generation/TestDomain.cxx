@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestFolder.h"
 #include "vtkPEMDomain.h"
 
 #include "CaseStatus.h"
@@ -29,7 +30,7 @@ using testing::HasSubstr;
 
 std::string WriteFile(const std::string& name, const std::string& text)
 {
-  const std::string path = std::string(PEMESH_TEST_OUTPUT) + "/" + name;
+  const std::string path = pemesh::TestPath(name);
   std::ofstream(path) << text;
   return path;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "MetricReference.h"
 #include "MetricRegistry.h"
+#include "TestFolder.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ TEST(MetricReference, ThePageIsThatOfTheRegistry)
   const std::string page = pemesh::DescribeMetrics();
   std::ifstream file(PEMESH_SOURCE_DIR "/Filters/Metrics/METRICS.md");
   const std::string stored{ std::istreambuf_iterator<char>(file), {} };
-  const std::string made = PEMESH_TEST_OUTPUT "/METRICS.md";
+  const std::filesystem::path made = pemesh::TestPath("METRICS.md");
   std::ofstream(made) << page;
   EXPECT_TRUE(page == stored) << "put " << made << " in the place of Filters/Metrics/METRICS.md";
 }

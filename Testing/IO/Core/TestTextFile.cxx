@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "TestFolder.h"
 #include "TextFile.h"
 
 #include <filesystem>
@@ -17,14 +18,6 @@ using namespace pemesh;
 namespace
 {
 
-std::filesystem::path Folder(const std::string& name)
-{
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / name;
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  return folder;
-}
-
 std::size_t CountFiles(const std::filesystem::path& folder)
 {
   std::size_t count = 0;
@@ -39,7 +32,7 @@ std::size_t CountFiles(const std::filesystem::path& folder)
 
 TEST(TextFile, GivesBackWhatWasWritten)
 {
-  const std::filesystem::path folder = Folder("round trip – ü");
+  const std::filesystem::path folder = pemesh::TestFolder("round trip – ü");
   std::string bytes;
   for (int i = 0; i < 100000; ++i)
   {
@@ -56,7 +49,7 @@ TEST(TextFile, GivesBackWhatWasWritten)
 
 TEST(TextFile, ReadsAPipe)
 {
-  const std::filesystem::path pipe = Folder("pipe") / "pipe";
+  const std::filesystem::path pipe = pemesh::TestFolder("pipe") / "pipe";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
   const std::string text(200000, 'x');
   std::thread writer([&] { std::ofstream(pipe, std::ios::binary) << text; });
@@ -71,7 +64,7 @@ TEST(TextFile, ReadsFilesThatDoNotKnowTheirSize)
 
 TEST(TextFile, NamesTheFileThatCannotBeRead)
 {
-  const std::filesystem::path folder = Folder("unreadable");
+  const std::filesystem::path folder = pemesh::TestFolder("unreadable");
   const auto message = [](const std::string& part)
   { return testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr(part)); };
   EXPECT_THAT([&] { ReadTextFile(folder / "none"); }, message("none\": No such file"));
@@ -81,7 +74,7 @@ TEST(TextFile, NamesTheFileThatCannotBeRead)
 
 TEST(TextFile, NamesTheFileThatCannotBeWritten)
 {
-  const std::filesystem::path folder = Folder("unwritable");
+  const std::filesystem::path folder = pemesh::TestFolder("unwritable");
   WriteTextFile(folder / "file", "x");
   std::filesystem::create_directories(folder / "folder");
   const auto message = [](const std::string& part)
@@ -95,7 +88,7 @@ TEST(TextFile, NamesTheFileThatCannotBeWritten)
 
 TEST(TextFile, AFailedWriterLeavesTheOldFile)
 {
-  const std::filesystem::path folder = Folder("safe");
+  const std::filesystem::path folder = pemesh::TestFolder("safe");
   WriteTextFile(folder / "file", "old");
   EXPECT_THROW(WriteFileSafely(folder / "file",
                  [](const std::filesystem::path& temporary)
@@ -110,7 +103,7 @@ TEST(TextFile, AFailedWriterLeavesTheOldFile)
 
 TEST(TextFile, ManyWritersOfOneFileNeverMix)
 {
-  const std::filesystem::path file = Folder("many") / "file";
+  const std::filesystem::path file = pemesh::TestFolder("many") / "file";
   std::vector<std::thread> writers;
   for (int t = 0; t < 8; ++t)
   {

@@ -4,6 +4,7 @@
  * Tables of polygons: both forms read, one written, and the place named where something is wrong.
  */
 #include "PolygonTable.h"
+#include "TestFolder.h"
 
 #include "StudyTexts.h"
 
@@ -98,7 +99,7 @@ TEST(PolygonTable, WhatIsWrittenComesBack)
   polygons.push_back(drawn);
   EXPECT_EQ(ParsePolygonTable(FormatPolygonTable(polygons), "q.csv"), polygons);
 
-  const std::filesystem::path file = std::filesystem::path(PEMESH_TEST_OUTPUT) / "round.csv";
+  const std::filesystem::path file = pemesh::TestPath("round.csv");
   pemesh::WritePolygonTable(file, polygons);
   EXPECT_EQ(pemesh::ReadPolygonTable(file), polygons);
 }

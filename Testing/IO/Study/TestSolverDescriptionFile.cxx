@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverDescriptionFile.h"
+#include "TestFolder.h"
 
 #include "StudyFile.h"
 #include "StudyTexts.h"
@@ -113,9 +114,7 @@ class SolverSearch : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Root = fs::path(PEMESH_TEST_OUTPUT) /
-      ("search-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
-    fs::remove_all(this->Root);
+    this->Root = pemesh::TestFolder();
     pemesh::WriteTextFile(this->Root / "one/toy.json", Toy);
     pemesh::WriteTextFile(this->Root / "one/broken.json", "{");
     pemesh::WriteTextFile(

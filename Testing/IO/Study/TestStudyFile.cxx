@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyFile.h"
+#include "TestFolder.h"
 
 #include "StudyTexts.h"
 #include "TextFile.h"
@@ -330,7 +331,7 @@ TEST(StudyFile, FiguresAreNamed)
 
 TEST(StudyFile, ReadsAFile)
 {
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "read-a-file";
+  const std::filesystem::path folder = pemesh::TestFolder();
   pemesh::WriteTextFile(folder / "full.json", FullStudy);
   EXPECT_EQ(pemesh::ReadStudy(folder / "full.json"), ParseStudy(FullStudy, folder / "full.json"));
   pemesh::WriteTextFile(folder / "empty.json", "");
@@ -396,7 +397,7 @@ TEST(StudyFile, ScatteredPolygons)
 
 TEST(StudyFile, PolygonsFromATable)
 {
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "table";
+  const std::filesystem::path folder = pemesh::TestFolder();
   pemesh::WriteTextFile(folder / "sub/p.csv", "family,file,scale\nfile,a.off,0.3\nmaze,,\n");
   const Study study = ParseStudy(R"({"pemesh": 1, "polygons": "sub/p.csv"})", folder / "s.json");
   ASSERT_EQ(study.Polygons.size(), 2u);

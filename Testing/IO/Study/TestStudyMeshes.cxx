@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "Study.h"
+#include "TestFolder.h"
 
 #include "StudyTexts.h"
 #include "TextFile.h"
@@ -20,9 +21,7 @@ class StudyMeshes : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Folder =
-      fs::path(PEMESH_TEST_OUTPUT) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(this->Folder);
+    this->Folder = pemesh::TestFolder();
     for (const char* name : { "m10.off", "m2.off", "m1.off", "m02.off", "other.obj", ".m3.off",
            "a/x.off", "b/x.off", "b/y.off", "[1].off" })
     {

@@ -5,6 +5,7 @@
 #include "ChartStyleFile.h"
 #include "Study.h"
 #include "StudyFile.h"
+#include "TestFolder.h"
 #include "TextFile.h"
 
 #include <gmock/gmock.h>
@@ -112,8 +113,7 @@ TEST(StudyPlots, AStudyHasAStyleForAllItsPlots)
 
 TEST(StudyPlots, StyleFilesKeepEverySetting)
 {
-  const std::filesystem::path folder = std::filesystem::path(PEMESH_TEST_OUTPUT) / "plots";
-  std::filesystem::create_directories(folder);
+  const std::filesystem::path folder = pemesh::TestFolder();
   pemesh::ChartStyle style;
   style.Palette = "muted";
   style.Ink = "#102030";
