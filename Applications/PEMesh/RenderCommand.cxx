@@ -53,27 +53,7 @@ struct RenderArguments
   double Resolution = 300.0;
 };
 
-bool HasArray(vtkPolyData* mesh, const std::string& name)
-{
-  return mesh->GetCellData()->HasArray(name.c_str()) ||
-    mesh->GetPointData()->HasArray(name.c_str());
-}
-
-/** The metrics among these names of which the mesh has no array. */
-std::vector<std::string> MissingMetrics(vtkPolyData* mesh, const std::vector<std::string>& names)
-{
-  std::vector<std::string> missing;
-  for (const std::string& name : names)
-  {
-    if (!name.empty() && !HasArray(mesh, name) && FindMetric(name))
-    {
-      missing.push_back(name);
-    }
-  }
-  return missing;
-}
-
-/** The mesh of a file, with the metrics that it is to show and does not hold. */
+/** The mesh of a file, with the metrics that it is to show: those of the file may be stale. */
 vtkSmartPointer<vtkPolyData> ReadMesh(
   const std::string& file, const std::vector<std::string>& arrays)
 {
@@ -85,11 +65,14 @@ vtkSmartPointer<vtkPolyData> ReadMesh(
   {
     throw std::runtime_error(GetCaseStatusMessage(mesh));
   }
-  if (const std::vector<std::string> missing = MissingMetrics(mesh, arrays); !missing.empty())
+  std::vector<std::string> names;
+  std::ranges::copy_if(arrays, std::back_inserter(names),
+    [](const std::string& name) { return FindMetric(name) != nullptr; });
+  if (!names.empty())
   {
     vtkNew<vtkPEMMetrics> metrics;
     metrics->SetInputData(mesh);
-    metrics->SetMetrics(missing);
+    metrics->SetMetrics(names);
     metrics->Update();
     mesh = metrics->GetOutput();
   }

@@ -25,6 +25,23 @@ struct CopyIds
   }
 };
 
+struct CountDistinct
+{
+  template <typename CellState>
+  vtkIdType operator()(CellState& state, vtkIdType element) const
+  {
+    const auto range = state.GetCellRange(element);
+    vtkIdType count = 0;
+    vtkIdType before = range.size() > 0 ? static_cast<vtkIdType>(range[range.size() - 1]) : -1;
+    for (const vtkIdType id : range)
+    {
+      count += id != before ? 1 : 0;
+      before = id;
+    }
+    return count;
+  }
+};
+
 /** Coordinates of an element, from an array of x, y, z. */
 struct CopyVertices
 {
@@ -111,6 +128,11 @@ std::string ElementAccess::WhyUnusable(vtkPolyData* mesh)
 vtkIdType ElementAccess::GetNumberOfElements() const
 {
   return this->Polygons->GetNumberOfCells();
+}
+
+vtkIdType ElementAccess::CountVertices(vtkIdType element)
+{
+  return this->Polygons->Visit(CountDistinct{}, element);
 }
 
 void ElementAccess::GetVertexIds(vtkIdType element, std::vector<vtkIdType>& ids)

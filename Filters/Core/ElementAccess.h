@@ -34,6 +34,9 @@ public:
 
   vtkIdType GetNumberOfElements() const;
 
+  /** Without repeats of a point in a row, as metrics count. */
+  vtkIdType CountVertices(vtkIdType element);
+
   /** Puts the vertices of an element into `vertices`, in the order stored. */
   void GetVertices(vtkIdType element, std::vector<Point2>& vertices);
 

@@ -135,7 +135,12 @@ Circle InscribedCircleFinder::FindInKernel(const std::vector<PolygonKernelFinder
   }
   const SmallLinearProgram::Solution solution = this->Program.Solve(RoundingOfPlanes * size, 0.0);
   // What is left of rounding makes the circle smaller, never larger than its place allows.
-  return { middle + solution.Position, std::max(0.0, this->Program.HeightAt(solution.Position)) };
+  const double height = this->Program.HeightAt(solution.Position);
+  // The program that gave up still has an upper bound; what is not near it is not known.
+  constexpr double Proved = 1e-12;
+  const bool isKnown = solution.Optimal || solution.Height <= std::max(0.0, height) + Proved * size;
+  return { middle + solution.Position,
+    isKnown ? std::max(0.0, height) : std::numeric_limits<double>::quiet_NaN() };
 }
 
 /** What may be left unproved: more than rounding, far less than anyone can use. */

@@ -44,6 +44,12 @@ inline double SquaredDistance(const Point2& a, const Point2& b)
   return Dot(b - a, b - a);
 }
 
+/** The order of points from left to right, and from bottom to top on a vertical line. */
+inline bool IsLexicographicallyLess(const Point2& a, const Point2& b)
+{
+  return a.x < b.x || (a.x == b.x && a.y < b.y);
+}
+
 /** The unit normal to the left of a direction. */
 inline Point2 LeftOf(const Point2& direction)
 {

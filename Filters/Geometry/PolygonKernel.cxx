@@ -7,6 +7,7 @@
 #include "Predicates.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pemesh
 {
@@ -14,9 +15,33 @@ namespace pemesh
 namespace
 {
 
-bool IsLess(const Point2& a, const Point2& b)
+struct Segment
 {
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
+  Point2 From;
+  Point2 To;
+};
+
+/** Whether one direction turns right to another, or both are parallel to an axis; no if unsure. */
+bool IsSurelyNotLeft(const Point2& from, const Point2& to)
+{
+  const double left = from.x * to.y;
+  const double right = from.y * to.x;
+  constexpr double ErrorBound = 4.5e-16; // 4 u, for differences of coordinates; u = 2^-53
+  return left - right <= -ErrorBound * (std::abs(left) + std::abs(right));
+}
+
+/**
+ * Whether nothing is to the left of three lines: the first two make a wedge that lies to the right
+ * of the third, its tip as all directions that go on forever. No if unsure.
+ */
+bool IsSurelyEmpty(const Segment& a, const Segment& b, const Segment& c)
+{
+  const Point2 alongA = a.To - a.From;
+  const Point2 alongB = b.To - b.From;
+  const Point2 alongC = c.To - c.From;
+  return !IsSurelyNotLeft(alongA, alongB) && IsSurelyNotLeft(alongB, alongA) &&
+    IsSurelyNotLeft(alongA, alongC) && IsSurelyNotLeft(alongC, alongB) &&
+    OrientationOfIntersection(c.From, c.To, a.From, a.To, b.From, b.To) < 0;
 }
 
 } // namespace
@@ -55,13 +80,14 @@ const std::vector<PolygonKernelFinder::Side>& PolygonKernelFinder::Find(
     const Point2& point = polygon[i];
     low = { std::min(low.x, point.x), std::min(low.y, point.y) };
     high = { std::max(high.x, point.x), std::max(high.y, point.y) };
-    first = IsLess(point, polygon[first]) ? i : first;
+    first = IsLexicographicallyLess(point, polygon[first]) ? i : first;
   }
-  if (size <= FewVertices)
+  if (size <= FewVertices && this->Clip(polygon, low, high))
   {
-    this->Clip(polygon, low, high);
+    return this->Sides;
   }
-  else if (low.x < high.x && low.y < high.y)
+  this->Sides.clear();
+  if (low.x < high.x && low.y < high.y)
   {
     this->Start(polygon[first], size, low, high);
     if (this->CutAll(polygon, first))
@@ -72,7 +98,8 @@ const std::vector<PolygonKernelFinder::Side>& PolygonKernelFinder::Find(
   return this->Sides;
 }
 
-void PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Point2& high)
+/** False if rounding may have decided whether there is a kernel. */
+bool PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Point2& high)
 {
   const std::size_t size = polygon.size();
   const Point2 origin = polygon[0];
@@ -80,28 +107,41 @@ void PolygonKernelFinder::Clip(PolygonView polygon, const Point2& low, const Poi
   const Point2 to = high - origin;
   this->Corners = { from, { to.x, from.y }, to, { from.x, to.y } };
   this->SideOf = { size, size + 1, size + 2, size + 3 };
-  const auto Direction = [&](std::size_t side)
+  const Segment box[] = { { low, { high.x, low.y } }, { { high.x, low.y }, high },
+    { high, { low.x, high.y } }, { { low.x, high.y }, low } };
+  const auto LineOf = [&](std::size_t side)
   {
-    constexpr Point2 OfTheBox[] = { { 1.0, 0.0 }, { 0.0, 1.0 }, { -1.0, 0.0 }, { 0.0, -1.0 } };
-    // From the vertices as given: exact for edges short against the coordinates.
-    return side >= size ? OfTheBox[side - size]
-                        : polygon[side + 1 == size ? 0 : side + 1] - polygon[side];
+    return side >= size ? box[side - size]
+                        : Segment{ polygon[side], polygon[side + 1 == size ? 0 : side + 1] };
   };
-  for (std::size_t i = 0; i < size && !this->Corners.empty(); ++i)
+  for (std::size_t i = 0; i < size; ++i)
   {
-    this->ClipHalfPlane(polygon[i] - origin, Direction(i), i);
+    // From the vertices as given: exact for edges short against the coordinates.
+    const Segment edge = LineOf(i);
+    if (!this->ClipHalfPlane(edge.From - origin, edge.To - edge.From, i))
+    {
+      const auto highest = static_cast<std::size_t>(
+        std::max_element(this->Heights.begin(), this->Heights.end()) - this->Heights.begin());
+      const std::size_t before = highest == 0 ? this->SideOf.size() - 1 : highest - 1;
+      return IsSurelyEmpty(LineOf(this->SideOf[before]), LineOf(this->SideOf[highest]), edge);
+    }
   }
   for (std::size_t i = 0; i < this->Corners.size(); ++i)
   {
-    this->Sides.push_back({ this->Corners[i], Direction(this->SideOf[i]) });
+    const Segment line = LineOf(this->SideOf[i]);
+    this->Sides.push_back({ this->Corners[i], line.To - line.From });
   }
+  // Rounding moves each line by parts in 10^15, so that what is wider than this is there.
+  constexpr double SureArea = 1e-10;
+  const double extent = std::max(high.x - low.x, high.y - low.y);
+  return this->GetArea() > SureArea * extent * extent;
 }
 
 /**
  * Cuts off what is to the right of a line (I. E. Sutherland, G. W. Hodgman, Commun. ACM 17 (1974)
- * 32-42).
+ * 32-42). False, and nothing is changed, if that is all.
  */
-void PolygonKernelFinder::ClipHalfPlane(
+bool PolygonKernelFinder::ClipHalfPlane(
   const Point2& anchor, const Point2& direction, std::size_t edge)
 {
   const std::size_t size = this->Corners.size();
@@ -114,7 +154,7 @@ void PolygonKernelFinder::ClipHalfPlane(
   }
   if (!(lowest < 0.0))
   {
-    return;
+    return true;
   }
   // Every point is written and then kept or not: which it is cannot be foreseen, and a branch that
   // goes the other way costs more than the point.
@@ -137,9 +177,15 @@ void PolygonKernelFinder::ClipHalfPlane(
     this->ClippedSideOf[kept] = side;
     kept += std::min(from, to) < 0.0 && std::max(from, to) > 0.0 ? 1 : 0;
   }
-  this->Clipped.resize(kept < 3 ? 0 : kept);
+  if (kept < 3)
+  {
+    return false;
+  }
+  this->Clipped.resize(kept);
+  this->ClippedSideOf.resize(kept);
   std::swap(this->Corners, this->Clipped);
   std::swap(this->SideOf, this->ClippedSideOf);
+  return true;
 }
 
 /**

@@ -13,9 +13,11 @@
  * lines, its vertices being their intersections, so that every decision is the sign of a polynomial
  * in the coordinates as given, and is exact (see Predicates.h).
  *
- * So beyond FewVertices a kernel is found if and only if it has an area, exactly. Polygons of fewer
- * vertices are clipped by one half plane after the other, which is right to rounding and twice as
- * fast there. A convex polygon is its own kernel, to the bit. A point, or a part of a line, that
+ * So a kernel is found if and only if it has an area, exactly. Polygons of up to FewVertices
+ * vertices are first clipped by one half plane after the other, which takes half the time there;
+ * only where what is left is so thin that rounding may have decided, or where three of the lines do
+ * not prove that nothing can be left, the answer is that of the exact way. A convex polygon is its
+ * own kernel, to the bit. A point, or a part of a line, that
  * sees the whole polygon has no area and may be left out. Accuracy: the area is within 1e-14 of the
  * square of the diameter. Straight and repeated vertices change nothing. Cost: O(n); up to
  * FewVertices O(n k) for a kernel of k sides.
@@ -55,12 +57,15 @@ public:
   /** Area of the kernel found last. */
   double GetArea() const;
 
-  /** Up to here clipping a box, O(n k) for k sides, is faster: it has fewer branches. */
+  /**
+   * Up to here a box is clipped first, O(n k) for k sides: it has fewer branches, and was measured
+   * to take half the time for random stars of 24 to 200 vertices, whose kernels have few sides.
+   */
   static constexpr std::size_t FewVertices = 48;
 
 private:
-  void Clip(PolygonView polygon, const Point2& low, const Point2& high);
-  void ClipHalfPlane(const Point2& anchor, const Point2& direction, std::size_t edge);
+  bool Clip(PolygonView polygon, const Point2& low, const Point2& high);
+  bool ClipHalfPlane(const Point2& anchor, const Point2& direction, std::size_t edge);
 
   struct Line
   {

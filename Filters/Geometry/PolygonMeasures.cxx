@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PolygonMeasures.h"
 
+#include "PlaneVectors.h"
 #include "Predicates.h"
 
 #include <algorithm>
@@ -25,11 +26,6 @@ std::size_t NextIndex(std::size_t i, std::size_t size)
 std::size_t PreviousIndex(std::size_t i, std::size_t size)
 {
   return i == 0 ? size - 1 : i - 1;
-}
-
-bool IsLess(const Point2& a, const Point2& b)
-{
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
 /** The last vertex that is not a repeat of the first. */
@@ -186,7 +182,7 @@ int PolygonOrientation(PolygonView polygon)
   {
     return 0;
   }
-  const auto lowest = std::min_element(polygon.begin(), polygon.end(), IsLess);
+  const auto lowest = std::min_element(polygon.begin(), polygon.end(), IsLexicographicallyLess);
   const auto start = static_cast<std::size_t>(lowest - polygon.begin());
   std::size_t previous = PreviousIndex(start, size);
   while (previous != start && polygon[previous] == *lowest)
@@ -320,7 +316,7 @@ bool IsConvex(PolygonView polygon)
   }
   int reversals = 0; // changes of the lexicographic direction: two in one round
   std::size_t previous = BeforeRepeats(polygon);
-  bool wasForward = IsLess(polygon[previous], polygon[0]);
+  bool wasForward = IsLexicographicallyLess(polygon[previous], polygon[0]);
   for (std::size_t i = 0; i < size; ++i)
   {
     const Point2& b = polygon[i];
@@ -329,7 +325,7 @@ bool IsConvex(PolygonView polygon)
     {
       continue; // the last of the repeats counts
     }
-    const bool forward = IsLess(b, c);
+    const bool forward = IsLexicographicallyLess(b, c);
     reversals += forward != wasForward ? 1 : 0;
     wasForward = forward;
     if (reversals > 2 || Orientation(polygon[previous], b, c) < 0)
@@ -339,100 +335,6 @@ bool IsConvex(PolygonView polygon)
     previous = i;
   }
   return true;
-}
-
-namespace
-{
-
-struct EdgeBox
-{
-  double Left;
-  double Right;
-  double Bottom;
-  double Top;
-};
-
-EdgeBox BoxOf(const Point2& a, const Point2& b)
-{
-  return { std::min(a.x, b.x), std::max(a.x, b.x), std::min(a.y, b.y), std::max(a.y, b.y) };
-}
-
-/** Without branches: most boxes are apart, but in which direction cannot be foreseen. */
-bool DoBoxesMeet(const EdgeBox& a, const EdgeBox& b)
-{
-  return (static_cast<int>(a.Left <= b.Right) & static_cast<int>(b.Left <= a.Right) &
-           static_cast<int>(a.Bottom <= b.Top) & static_cast<int>(b.Bottom <= a.Top)) != 0;
-}
-
-/** Of two edges, by the index of the first vertex, that have none in common. */
-bool DoEdgesCross(PolygonView polygon, std::size_t i, std::size_t j)
-{
-  const std::size_t size = polygon.size();
-  if (NextIndex(i, size) == j || NextIndex(j, size) == i)
-  {
-    return false;
-  }
-  const Point2& a = polygon[i];
-  const Point2& b = polygon[NextIndex(i, size)];
-  const Point2& c = polygon[j];
-  const Point2& d = polygon[NextIndex(j, size)];
-  return Orientation(a, b, c) * Orientation(a, b, d) < 0 &&
-    Orientation(c, d, a) * Orientation(c, d, b) < 0;
-}
-
-constexpr std::size_t FewEdges = 48; // up to here comparing all pairs is faster than sorting
-
-bool HasCrossingPair(PolygonView polygon)
-{
-  const std::size_t size = polygon.size();
-  std::array<EdgeBox, FewEdges> boxes;
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    boxes[i] = BoxOf(polygon[i], polygon[NextIndex(i, size)]);
-    for (std::size_t j = 0; j + 1 < i; ++j)
-    {
-      if (DoBoxesMeet(boxes[i], boxes[j]) && DoEdgesCross(polygon, j, i))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-/** Edges sorted by their left end are swept. */
-bool HasCrossingInSweep(PolygonView polygon)
-{
-  const std::size_t size = polygon.size();
-  std::vector<EdgeBox> boxes(size);
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    boxes[i] = BoxOf(polygon[i], polygon[NextIndex(i, size)]);
-  }
-  std::vector<std::size_t> order(size);
-  std::iota(order.begin(), order.end(), std::size_t{ 0 });
-  std::sort(order.begin(), order.end(),
-    [&](std::size_t i, std::size_t j)
-    { return boxes[i].Left < boxes[j].Left || (boxes[i].Left == boxes[j].Left && i < j); });
-  for (std::size_t k = 0; k < size; ++k)
-  {
-    const std::size_t i = order[k];
-    for (std::size_t l = k + 1; l < size && boxes[order[l]].Left <= boxes[i].Right; ++l)
-    {
-      if (DoBoxesMeet(boxes[i], boxes[order[l]]) && DoEdgesCross(polygon, i, order[l]))
-      {
-        return true;
-      }
-    }
-  }
-  return false;
-}
-
-} // namespace
-
-bool HasCrossingEdges(PolygonView polygon)
-{
-  return polygon.size() <= FewEdges ? HasCrossingPair(polygon) : HasCrossingInSweep(polygon);
 }
 
 } // namespace pemesh

@@ -7,8 +7,7 @@
  * enter, and where a sign decides it is exact. The area sums twice the digits where the plain sum
  * would cancel (T. Ogita, S. M. Rump, S. Oishi, Accurate sum and dot product, SIAM J. Sci. Comput.
  * 26 (2005) 1955-1988). Polygons may have straight and repeated vertices; a repeated one is an
- * edge of length 0 and has no angle. Cost: O(n); crossing edges O(n^2) up to 48 edges, then a
- * sweep.
+ * edge of length 0 and has no angle. Cost: O(n).
  */
 #ifndef pemesh_PolygonMeasures_h
 #define pemesh_PolygonMeasures_h
@@ -65,12 +64,6 @@ PEMESHFILTERSGEOMETRY_EXPORT AngleRange MeasureAngles(PolygonView polygon);
  * boundary goes round once. Straight vertices are allowed.
  */
 PEMESHFILTERSGEOMETRY_EXPORT bool IsConvex(PolygonView polygon);
-
-/**
- * Whether two edges cross properly, decided exactly. Polygons that merely touch themselves pass,
- * for their areas and distances are still defined.
- */
-PEMESHFILTERSGEOMETRY_EXPORT bool HasCrossingEdges(PolygonView polygon);
 
 } // namespace pemesh
 

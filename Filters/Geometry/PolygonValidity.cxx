@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "PolygonValidity.h"
 
+#include "PlaneVectors.h"
 #include "Predicates.h"
 
 #include <CGAL/Exact_rational.h>
@@ -29,16 +30,11 @@ struct Edge
   double North() const { return std::max(this->From.y, this->To.y); }
 };
 
-bool LexicographicallyLess(const Point2& a, const Point2& b)
-{
-  return a.x < b.x || (a.x == b.x && a.y < b.y);
-}
-
 /** For a point on the line of the edge: whether it is on the edge, ends included. Exact. */
 bool IsBetween(const Point2& point, const Edge& edge)
 {
-  const auto [low, high] = std::minmax(edge.From, edge.To, LexicographicallyLess);
-  return !LexicographicallyLess(point, low) && !LexicographicallyLess(high, point);
+  const auto [low, high] = std::minmax(edge.From, edge.To, IsLexicographicallyLess);
+  return !IsLexicographicallyLess(point, low) && !IsLexicographicallyLess(high, point);
 }
 
 bool IsOnEdge(const Point2& point, const Edge& edge)
@@ -97,7 +93,7 @@ bool FoldsBack(const Edge& a, const Edge& b)
     return true;
   }
   return Orientation(a.From, a.To, b.To) == 0 &&
-    LexicographicallyLess(a.From, a.To) == LexicographicallyLess(b.To, b.From);
+    IsLexicographicallyLess(a.From, a.To) == IsLexicographicallyLess(b.To, b.From);
 }
 
 /** Whether two edges of one polygon of n edges meet where they must not. */
@@ -205,7 +201,7 @@ PieceCount CountPieces(const std::vector<Edge>& cut, const std::vector<Edge>& ot
         ends.push_back(candidate.From);
       }
     }
-    std::sort(ends.begin(), ends.end(), LexicographicallyLess);
+    std::sort(ends.begin(), ends.end(), IsLexicographicallyLess);
     ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
     for (std::size_t i = 0; i + 1 < ends.size(); ++i)
     {

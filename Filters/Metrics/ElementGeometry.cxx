@@ -4,6 +4,7 @@
 
 #include "EnclosingCircle.h"
 #include "PlaneVectors.h"
+#include "PolygonCrossings.h"
 #include "Predicates.h"
 
 #include <algorithm>
@@ -16,6 +17,12 @@ namespace
 {
 
 constexpr int After[] = { 1, 2, 0 };
+
+/** Nearer than 1e-162: the square of the distance is no number but zero. */
+bool IsRepeat(const Point2& a, const Point2& b)
+{
+  return SquaredDistance(a, b) == 0.0;
+}
 
 bool IsFinite(const Point2& point)
 {
@@ -41,11 +48,11 @@ bool ElementGeometry::SetTriangle(PolygonView vertices)
   {
     return false;
   }
-  this->Repeated = a == b || b == c || c == a;
+  this->Repeated = IsRepeat(a, b) || IsRepeat(b, c) || IsRepeat(c, a);
   this->Convex = true;
   const int orientation = Orientation(a, b, c);
   this->Vertices.assign({ a, orientation < 0 ? c : b, orientation < 0 ? b : c });
-  return orientation != 0;
+  return orientation != 0 && !this->Repeated;
 }
 
 bool ElementGeometry::SetPolygon(PolygonView vertices)
@@ -58,12 +65,12 @@ bool ElementGeometry::SetPolygon(PolygonView vertices)
     {
       return false;
     }
-    if (this->Vertices.empty() || vertex != this->Vertices.back())
+    if (this->Vertices.empty() || !IsRepeat(vertex, this->Vertices.back()))
     {
       this->Vertices.push_back(vertex);
     }
   }
-  while (this->Vertices.size() > 1 && this->Vertices.back() == this->Vertices.front())
+  while (this->Vertices.size() > 1 && IsRepeat(this->Vertices.back(), this->Vertices.front()))
   {
     this->Vertices.pop_back();
   }

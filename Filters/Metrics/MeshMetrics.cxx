@@ -27,8 +27,9 @@ struct ValueRange
 ValueRange RangeOf(std::span<const double> values)
 {
   ValueRange range;
-  for (const double value : values)
+  for (const double given : values)
   {
+    const double value = std::isfinite(given) ? given : NotANumber; // as in a summary
     range.Smallest = value < range.Smallest || std::isnan(range.Smallest) ? value : range.Smallest;
     range.Largest = value > range.Largest || std::isnan(range.Largest) ? value : range.Largest;
   }

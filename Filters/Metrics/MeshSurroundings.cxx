@@ -4,6 +4,7 @@
 
 #include "CompensatedSum.h"
 #include "CornerMeasures.h"
+#include "PolygonMeasures.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,52 @@
 namespace pemesh
 {
 
+namespace
+{
+
+/**
+ * Turns all elements counter-clockwise and leaves out repeats of a vertex in a row. Who has fewer
+ * than three vertices then has no side, and is nobody's neighbour.
+ */
+void Normalize(PolygonMesh& mesh)
+{
+  std::vector<Point2> points;
+  int first = 0;
+  int kept = 0;
+  for (int element = 0; element < mesh.NumberOfElements(); ++element)
+  {
+    const int last = mesh.Offsets[element + 1];
+    const int begin = kept;
+    for (int i = first; i < last; ++i)
+    {
+      const int vertex = mesh.Vertices[i];
+      if (kept == begin || mesh.Vertices[kept - 1] != vertex)
+      {
+        mesh.Vertices[kept++] = vertex;
+      }
+    }
+    while (kept - begin > 1 && mesh.Vertices[kept - 1] == mesh.Vertices[begin])
+    {
+      --kept;
+    }
+    kept = kept - begin < 3 ? begin : kept;
+    first = last;
+    mesh.Offsets[element + 1] = kept;
+    mesh.GetVertices(element, points);
+    if (!points.empty() && PolygonOrientation(points) < 0)
+    {
+      std::reverse(mesh.Vertices.begin() + begin, mesh.Vertices.begin() + kept);
+    }
+  }
+  mesh.Vertices.resize(static_cast<std::size_t>(kept));
+}
+
+} // namespace
+
 MeshNeighbours::MeshNeighbours(PolygonMesh mesh)
   : Mesh(std::move(mesh))
 {
+  Normalize(this->Mesh);
   MeshAdjacency adjacency = FindAdjacency(this->Mesh);
   for (int& twin : adjacency.Twin)
   {

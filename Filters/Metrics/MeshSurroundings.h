@@ -28,7 +28,8 @@ struct SharedLength
 /**
  * Who is beside whom. Neighbours share an edge, which is one pair of vertices: where vertices hang
  * on an edge without being vertices of it, there is a border (`pemesh check` finds such places).
- * Edges of more than two elements belong to nobody. Safe to use from several threads at once.
+ * Edges of more than two elements belong to nobody. Elements may be in either orientation and
+ * repeat a vertex. Safe to use from several threads at once.
  */
 class PEMESHFILTERSMETRICS_EXPORT MeshNeighbours
 {

@@ -28,13 +28,19 @@ void MeshValues::Provide(const std::vector<std::string>& metrics)
   for (const std::string& name : metrics)
   {
     vtkDataArray* array = this->Mesh->GetCellData()->GetArray(name.c_str());
+    if (array &&
+      (array->GetNumberOfComponents() != 1 ||
+        static_cast<std::size_t>(array->GetNumberOfTuples()) != elements))
+    {
+      array = nullptr; // no value an element
+    }
     if (!this->Get(name).empty() || (!array && (!this->IsUsable || !FindMetric(name))))
     {
       continue;
     }
     std::vector<double>& values = this->Measured[name];
     values.resize(elements);
-    if (array && static_cast<std::size_t>(array->GetNumberOfTuples()) == elements)
+    if (array)
     {
       for (std::size_t i = 0; i < elements; ++i)
       {

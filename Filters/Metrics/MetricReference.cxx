@@ -57,17 +57,12 @@ std::string DescribeMetric(const Metric& metric)
   return text + "\n\nReference: " + metric.Reference + ". Test: `" + MetricTest(metric) + "`.\n";
 }
 
-bool IsJump(const Metric& metric)
-{
-  return MetricCollections()[2].Contains(metric);
-}
-
 std::string DescribeSet(const char* title, MetricSet set)
 {
   std::string text = "\n## " + std::string(title) + "\n";
   for (const Metric& metric : Metrics())
   {
-    text += metric.Set == set && !IsJump(metric) ? DescribeMetric(metric) : "";
+    text += metric.Set == set ? DescribeMetric(metric) : "";
   }
   return text;
 }
@@ -94,7 +89,7 @@ Smaller is better; undefined without neighbours.
   std::string columns[2];
   for (const Metric& metric : Metrics())
   {
-    if (IsJump(metric))
+    if (metric.Set == MetricSet::Jump)
     {
       std::string& column = columns[FindMetric(metric.Base)->ScaleInvariant ? 0 : 1];
       column += (column.empty() ? "`" : ", `") + std::string(metric.Name) + "`";

@@ -23,19 +23,24 @@ std::vector<Metric> JoinTables()
       all.back().Set = set;
     }
   };
+  const auto AppendJumps = [&Append](std::span<const Metric> table)
+  {
+    for (const Metric& metric : table)
+    {
+      if (metric.Function)
+      {
+        const Metric jump = MakeJumpMetric(metric);
+        Append({ &jump, 1 }, MetricSet::Jump);
+      }
+    }
+  };
   Append(ElementMetricTable(), MetricSet::Measure);
   Append(IndicatorMetricTable(), MetricSet::Indicator);
-  const std::vector<Metric> ofElements = all;
   Append(NeighbourMetricTable(), MetricSet::Neighbourhood);
-  for (const Metric& metric : ofElements)
-  {
-    if (metric.Function)
-    {
-      const Metric jump = MakeJumpMetric(metric);
-      Append({ &jump, 1 }, MetricSet::Neighbourhood);
-    }
-  }
+  AppendJumps(ElementMetricTable());
+  AppendJumps(IndicatorMetricTable());
   Append(SolverMetricTable(), MetricSet::Solver);
+  AppendJumps(SolverMetricTable());
   return all;
 }
 
@@ -44,15 +49,12 @@ constexpr MetricCollection Collections[] = {
     [](const Metric& metric)
     { return metric.Set == MetricSet::Measure || metric.Set == MetricSet::Indicator; } },
   { "neighbourhood", "Metrics of an element and its neighbours, except jumps.",
-    [](const Metric& metric)
-    {
-      return metric.Set == MetricSet::Neighbourhood &&
-        !std::string_view(metric.Name).ends_with("Jump");
-    } },
+    [](const Metric& metric) { return metric.Set == MetricSet::Neighbourhood; } },
   { "jumps", "The largest jump of each metric of \"all\" to a neighbour.",
-    [](const Metric& metric) { return std::string_view(metric.Name).ends_with("Jump"); } },
-  { "solver", "Metrics of the stiffness matrix of elements.",
-    [](const Metric& metric) { return metric.Set == MetricSet::Solver; } },
+    [](const Metric& metric)
+    { return metric.Set == MetricSet::Jump && (metric.Needs & NeedsStiffness) == 0; } },
+  { "solver", "Metrics of the stiffness matrix of elements, and their jumps.",
+    [](const Metric& metric) { return (metric.Needs & NeedsStiffness) != 0; } },
 };
 
 constexpr const char* NeedWords[] = { "area", "edges", "angles", "distances", "enclosing-circle",

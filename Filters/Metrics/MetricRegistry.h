@@ -58,6 +58,7 @@ enum class MetricSet
   Measure,
   Indicator,
   Neighbourhood,
+  Jump,
   Solver
 };
 

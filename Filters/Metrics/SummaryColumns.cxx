@@ -3,6 +3,7 @@
 #include "SummaryColumns.h"
 
 #include "CaseStatus.h"
+#include "ElementAccess.h"
 #include "MeshMetrics.h"
 #include "MeshValues.h"
 #include "MetricRegistry.h"
@@ -89,10 +90,11 @@ vtkIdType CountUndefined(
 
 vtkIdType CountTriangles(vtkPolyData* mesh)
 {
+  ElementAccess access(mesh);
   vtkIdType count = 0;
   for (vtkIdType element = 0; element < mesh->GetNumberOfPolys(); ++element)
   {
-    count += mesh->GetPolys()->GetCellSize(element) == 3 ? 1 : 0;
+    count += access.CountVertices(element) == 3 ? 1 : 0;
   }
   return count;
 }

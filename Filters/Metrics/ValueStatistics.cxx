@@ -3,6 +3,7 @@
 #include "ValueStatistics.h"
 
 #include "CompensatedSum.h"
+#include "ElementAccess.h"
 #include "MeshConversion.h"
 
 #include <vtkCellArray.h>
@@ -132,6 +133,9 @@ std::vector<unsigned char> FindMembers(
   vtkPolyData* mesh, const ElementGroup& group, std::span<const unsigned char> selected)
 {
   vtkDataArray* polygons = mesh->GetCellData()->GetArray(PolygonIdArray);
+  polygons =
+    polygons && polygons->GetNumberOfTuples() == mesh->GetNumberOfPolys() ? polygons : nullptr;
+  ElementAccess access(mesh);
   std::vector<unsigned char> members(static_cast<std::size_t>(mesh->GetNumberOfPolys()));
   for (std::size_t i = 0; i < members.size(); ++i)
   {
@@ -139,7 +143,7 @@ std::vector<unsigned char> FindMembers(
     constexpr int NoPolygonId = -2; // in neither group
     const int polygon =
       polygons ? static_cast<int>(polygons->GetComponent(element, 0)) : NoPolygonId;
-    const auto vertices = static_cast<int>(mesh->GetPolys()->GetCellSize(element));
+    const auto vertices = static_cast<int>(access.CountVertices(element));
     const bool isSelected = !selected.empty() && selected[i] != 0;
     members[i] = group.Contains(vertices, polygon, isSelected) ? 1 : 0;
   }

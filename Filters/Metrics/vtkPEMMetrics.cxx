@@ -39,6 +39,21 @@ std::string DescribeCondition(
     " (the first is element " + std::to_string(first) + ")";
 }
 
+/** The names, and the metrics of which the mesh brings an array: it may have been moved since. */
+std::vector<std::string> WithThoseOf(vtkPolyData* mesh, std::vector<std::string> names)
+{
+  for (int i = 0; i < mesh->GetCellData()->GetNumberOfArrays(); ++i)
+  {
+    const char* name = mesh->GetCellData()->GetArrayName(i);
+    const pemesh::Metric* metric = name ? pemesh::FindMetric(name) : nullptr;
+    if (metric && std::string_view(metric->Name) == name)
+    {
+      names.emplace_back(name);
+    }
+  }
+  return names;
+}
+
 } // namespace
 
 vtkPEMMetrics::vtkPEMMetrics()
@@ -105,7 +120,7 @@ int vtkPEMMetrics::RequestData(vtkInformation* vtkNotUsed(request),
     return 1;
   }
   std::vector<pemesh::MetricColumn> columns;
-  for (const pemesh::Metric* metric : pemesh::SelectMetrics(this->Metrics))
+  for (const pemesh::Metric* metric : pemesh::SelectMetrics(WithThoseOf(input, this->Metrics)))
   {
     vtkNew<vtkDoubleArray> array;
     array->SetName(metric->Name);
@@ -137,8 +152,8 @@ int vtkPEMMetrics::RequestData(vtkInformation* vtkNotUsed(request),
 void vtkPEMMetrics::WarnOfElements(const std::vector<ElementCondition>& conditions)
 {
   const std::string degenerate = DescribeCondition(conditions, ElementCondition::Degenerate,
-    "cannot be measured and have NaN: fewer than three distinct vertices, no area, crossing edges "
-    "or coordinates that are not finite");
+    "cannot be measured and have NaN: fewer than three distinct vertices, no area, edges that "
+    "cross or run along each other, or coordinates that are not finite");
   const std::string repeated =
     DescribeCondition(conditions, ElementCondition::Repeated, "repeat a vertex, which was ignored");
   if (!degenerate.empty() || !repeated.empty())

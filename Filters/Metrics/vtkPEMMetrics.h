@@ -12,8 +12,10 @@
  *   metric needs it; linear in the number of elements. Metrics that need neighbours use some 20
  *   bytes an edge of an element and 24 a vertex while they are computed.
  * Undefined: an element with fewer than three distinct vertices, without area, with edges that
- *   cross or with coordinates that are not finite has NaN for every metric; a warning tells how
- *   many there are. A repeated vertex is ignored, also with a warning.
+ *   cross or run along each other, or with coordinates that are not finite has NaN for every
+ *   metric; a warning tells how many there are. A repeated vertex is ignored, also with a warning.
+ * Metrics that the mesh brings as arrays are measured anew even if they are not asked for: it may
+ *   have been scaled or moved since, and no summary should mix old values with new ones.
  * A mesh that has failed already is passed on as it is; one with cells other than polygons
  *   fails with the status "unusable-mesh".
  *

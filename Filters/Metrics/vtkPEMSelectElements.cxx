@@ -193,7 +193,7 @@ std::vector<vtkIdType> vtkPEMSelectElements::Select(
   std::vector<vtkIdType> selected;
   for (std::size_t i = 0; i < values.size(); ++i)
   {
-    if (hasRule ? rule.Contains(values[i]) : !std::isnan(values[i]))
+    if (hasRule ? rule.Contains(values[i]) : std::isfinite(values[i]))
     {
       selected.push_back(static_cast<vtkIdType>(i));
     }

@@ -21,6 +21,7 @@
 #include "EnclosingCircle.h"
 #include "InscribedCircle.h"
 #include "ParallelLoop.h"
+#include "PolygonCrossings.h"
 #include "PolygonKernel.h"
 #include "PolygonMeasures.h"
 #include "vtkPEMAgglomerate.h"

@@ -25,8 +25,15 @@ struct Quantity
   const char* Name;
   int Power; ///< of the diameter, its natural scale
   double (*Kernel)(PolygonView polygon);
-  double (*Expected)(PolygonView polygon); ///< null: only invariances are tested with it
+  double (*Expected)(PolygonView polygon);
 };
+
+inline double ExpectedInscribedRadius(PolygonView polygon)
+{
+  // A circle that is proved to be inside, if it is larger than all that were tried.
+  const Circle circle = LargestInscribedCircle(polygon);
+  return std::max(BruteInscribedRadius(polygon), BruteDistanceInside(polygon, circle.Center));
+}
 
 inline const Quantity Quantities[] = {
   { "area", 2, SignedArea, ExactArea },
@@ -44,12 +51,7 @@ inline const Quantity Quantities[] = {
   { "kernel radius", 1, [](PolygonView p) { return LargestCircleInKernel(p).Radius; },
     BruteKernelRadius },
   { "inscribed radius", 1, [](PolygonView p) { return LargestInscribedCircle(p).Radius; },
-    [](PolygonView p)
-    {
-      // A circle that is proved to be inside, if it is larger than all that were tried.
-      const Circle circle = LargestInscribedCircle(p);
-      return std::max(BruteInscribedRadius(p), BruteDistanceInside(p, circle.Center));
-    } },
+    ExpectedInscribedRadius },
 };
 
 /** 1e-9 of the natural scale; of the value where that exceeds 1e-4 of the scale. */

@@ -159,6 +159,38 @@ TEST(PolygonKernel, APointOrASegmentIsNone)
   }
 }
 
+/** Turned by some angle, what should be no more than a point has a tiny area, or none. */
+TEST(PolygonKernel, WhetherThereIsOneIsExactForFewVertices)
+{
+  const Polygon upright = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 2, 1 }, { 2, 3 }, { 1, 3 }, { 1, 2 },
+    { 0, 2 } };
+  PolygonKernelFinder finder;
+  int empty = 0;
+  constexpr int Trials = 2000;
+  for (int i = 0; i < Trials; ++i)
+  {
+    const double angle = 2.0 * std::numbers::pi * i / Trials;
+    Polygon polygon;
+    for (const Point2& point : upright)
+    {
+      polygon.push_back({ std::cos(angle) * point.x - std::sin(angle) * point.y,
+        std::sin(angle) * point.x + std::cos(angle) * point.y });
+    }
+    const bool isEmpty = ExactKernelArea(polygon) == 0.0;
+    EXPECT_EQ(finder.Find(polygon).empty(), isEmpty) << i;
+    empty += isEmpty ? 1 : 0;
+    // Straight vertices change nothing.
+    Polygon fine;
+    for (std::size_t k = 0; k < polygon.size(); ++k)
+    {
+      fine.insert(fine.end(), PolygonKernelFinder::FewVertices, polygon[k]);
+    }
+    EXPECT_EQ(finder.Find(fine).empty(), isEmpty) << i;
+  }
+  EXPECT_GT(empty, Trials / 10);
+  EXPECT_LT(empty, Trials - Trials / 10);
+}
+
 TEST(PolygonKernel, CombsAndSpirals)
 {
   Polygon comb = { { 0, 0 }, { 40, 0 } }; // teeth between walls: nothing sees two of them whole

@@ -137,31 +137,3 @@ TEST(PolygonMeasures, ConvexityIsExact)
     EXPECT_TRUE(IsConvex(RegularPolygon(size))) << size;
   }
 }
-
-TEST(PolygonMeasures, CrossingEdgesAreFound)
-{
-  EXPECT_TRUE(HasCrossingEdges(Polygon{ { 0, 0 }, { 1, 1 }, { 1, 0 }, { 0, 1 } }));
-  EXPECT_FALSE(HasCrossingEdges(Polygon{ { 0, 0 }, { 2, 0 }, { 2, 2 }, { 1, 0 }, { 0, 2 } }));
-  for (std::uint64_t seed = 0; seed < 100; ++seed)
-  {
-    Polygon polygon = Untangled(*std::make_unique<Random>(seed), 20 + static_cast<int>(seed));
-    EXPECT_FALSE(HasCrossingEdges(polygon)) << seed;
-    // The diagonals of the quadrilateral of two edges far apart cross or the edges do.
-    std::swap(polygon[0], polygon[polygon.size() / 2]);
-    bool crosses = false;
-    for (std::size_t i = 0; i < polygon.size() && !crosses; ++i)
-    {
-      for (std::size_t j = i + 2; j < polygon.size() && !crosses; ++j)
-      {
-        const auto Side = [](const Point2& a, const Point2& b, const Point2& c)
-        { return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0.0; };
-        const Point2& a = polygon[i];
-        const Point2& b = polygon[i + 1];
-        const Point2& c = polygon[j];
-        const Point2& d = polygon[(j + 1) % polygon.size()];
-        crosses = !(a == d) && Side(a, b, c) != Side(a, b, d) && Side(c, d, a) != Side(c, d, b);
-      }
-    }
-    EXPECT_EQ(HasCrossingEdges(polygon), crosses) << seed;
-  }
-}

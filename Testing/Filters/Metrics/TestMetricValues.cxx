@@ -5,12 +5,15 @@
  */
 #include "CornerMeasures.h"
 #include "ElementGeometry.h"
+#include "MeshConversion.h"
+#include "MeshSurroundings.h"
 #include "MetricMeshes.h"
 #include "MetricRegistry.h"
 #include "StiffnessMeasures.h"
 #include "VirtualElementMethodElement.h"
 #include "vtkPEMMetrics.h"
 
+#include "../Geometry/BruteForce.h"
 #include "../Geometry/PolygonSamples.h"
 
 #include <gtest/gtest.h>
@@ -19,6 +22,8 @@
 #include <Eigen/SVD>
 
 #include <map>
+
+#include <vtkIdList.h>
 
 using namespace pemesh;
 using namespace pemesh::test;
@@ -40,7 +45,7 @@ struct KnownValue
 
 const std::map<std::string, Polygon>& Shapes()
 {
-  static const std::map<std::string, Polygon> shapes = { { "square", UnitSquare() },
+  static const std::map<std::string, Polygon> shapes = { { "square", pemesh::test::UnitSquare() },
     { "triangle", RegularPolygon(3) }, { "hexagon", RegularPolygon(6) },
     { "dart", ConvexityFamily(0.7) }, // numbers of the specification, to four digits
     { "L", { { 0, 0 }, { 2, 0 }, { 2, 1 }, { 1, 1 }, { 1, 2 }, { 0, 2 } } },
@@ -233,7 +238,7 @@ int CompareInMesh(const Metric& metric)
 /** Jumps of what is known of a single element: a triangle on a square. */
 int CompareJump(const Metric& metric)
 {
-  if (!std::string(metric.Name).ends_with("Jump"))
+  if (metric.Set != MetricSet::Jump)
   {
     return 0;
   }
@@ -241,7 +246,7 @@ int CompareJump(const Metric& metric)
   const auto measured =
     MeasureMesh(MakeSharedMesh(points, { { 0, 1, 2, 3 }, { 3, 2, 4 } }), { metric.Name });
   const Metric& base = *FindMetric(metric.Base);
-  const double square = MeasureAlone(base, UnitSquare());
+  const double square = MeasureAlone(base, pemesh::test::UnitSquare());
   const double triangle = MeasureAlone(base, { { 0, 1 }, { 1, 1 }, { .3, 1.5 } });
   const double expected = base.ScaleInvariant
     ? std::abs(square - triangle)
@@ -348,9 +353,87 @@ TEST(NeighbourMetrics, AloneInTheMesh)
   EXPECT_TRUE(std::isnan(CellValue(measured, "AreaJump", 0)));
 }
 
-TEST(NeighbourMetrics, ANeighbourThatIsUndefinedOrZeroGivesNoJump)
+/** Elements one at a time, or all, turned round, and a vertex of theirs repeated. */
+TEST(NeighbourMetrics, OrientationAndRepeatsChangeNothing)
 {
-  // A square between an element without area and a comb that is not star-shaped.
+  const std::vector<std::string> names = { "neighbourhood", "jumps" };
+  vtkSmartPointer<vtkPolyData> plain = MeasureMesh(MeshOfThree(), names);
+  const vtkSmartPointer<vtkPolyData> three = MeshOfThree();
+  for (unsigned int turned = 0; turned < 8; ++turned)
+  {
+    for (const bool repeated : { false, true })
+    {
+      vtkNew<vtkCellArray> cells;
+      for (vtkIdType element = 0; element < 3; ++element)
+      {
+        vtkNew<vtkIdList> ids;
+        three->GetPolys()->GetCellAtId(element, ids);
+        std::vector<vtkIdType> vertices(ids->begin(), ids->end());
+        if ((turned >> element & 1U) != 0)
+        {
+          std::reverse(vertices.begin(), vertices.end());
+        }
+        if (repeated)
+        {
+          vertices.insert(vertices.begin() + 1, vertices[1]);
+          vertices.push_back(vertices.front());
+        }
+        cells->InsertNextCell(static_cast<vtkIdType>(vertices.size()), vertices.data());
+      }
+      vtkNew<vtkPolyData> mesh;
+      mesh->SetPoints(three->GetPoints());
+      mesh->SetPolys(cells);
+      const auto measured = MeasureMesh(mesh, names);
+      for (const Metric& metric : Metrics())
+      {
+        for (vtkIdType i = 0; i < 3 && measured->GetCellData()->HasArray(metric.Name); ++i)
+        {
+          EXPECT_NEAR(CellValue(measured, metric.Name, i), CellValue(plain, metric.Name, i), 1e-14)
+            << metric.Name << ' ' << i << " turned " << turned << " repeated " << repeated;
+        }
+      }
+      MeshNeighbours neighbours(ToPolygonMesh(mesh));
+      EXPECT_EQ(neighbours.CountEdges(), 10);
+      EXPECT_NEAR(neighbours.GetBoundaryLength(), 8.0, 1e-15);
+    }
+  }
+}
+
+/** The reflex corners of a staircase see each other in one point, turned or not. */
+TEST(NeighbourMetrics, ANeighbourThatIsNotStarShapedGivesNoRatio)
+{
+  const Coordinates stairs = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 2, 1 }, { 2, 3 }, { 1, 3 }, { 1, 2 },
+    { 0, 2 }, { -1, 0 }, { -1, 2 } };
+  int empty = 0;
+  for (int i = 0; i < 200; ++i)
+  {
+    const double angle = 2.0 * Pi * i / 200.0;
+    Coordinates turned;
+    for (const auto& [x, y] : stairs)
+    {
+      turned.push_back(
+        { std::cos(angle) * x - std::sin(angle) * y, std::sin(angle) * x + std::cos(angle) * y });
+    }
+    const auto measured = MeasureMesh(
+      MakeSharedMesh(turned, { { 0, 1, 2, 3, 4, 5, 6, 7 }, { 8, 0, 7, 9 } }), { "KernelAreaJump" });
+    Polygon polygon;
+    for (std::size_t k = 0; k < 8; ++k)
+    {
+      polygon.push_back({ turned[k][0], turned[k][1] });
+    }
+    if (ExactKernelArea(polygon) == 0.0)
+    {
+      ++empty;
+      EXPECT_TRUE(std::isnan(CellValue(measured, "KernelAreaJump", 0))) << i;
+      EXPECT_TRUE(std::isnan(CellValue(measured, "KernelAreaJump", 1))) << i;
+    }
+  }
+  EXPECT_GT(empty, 20);
+}
+
+TEST(NeighbourMetrics, ANeighbourThatIsUndefinedGivesNoJump)
+{
+  // A square beside an element without area.
   const Coordinates points = { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 3, 0 } };
   const auto measured = MeasureMesh(
     MakeSharedMesh(points, { { 0, 1, 2, 3 }, { 1, 0, 5, 4 } }), { "AreaJump", "NumberOfEdges" });

@@ -390,3 +390,38 @@ TEST(vtkPEMMetricSummary, KeepsToThePipelineContract)
   EXPECT_EQ(executions, 1);
   EXPECT_EQ(summary->GetOutput()->GetNumberOfRows(), 1);
 }
+
+/** An array of another length than the polygons is none, whatever its name. */
+TEST(vtkPEMMetricSummary, ArraysOfAnotherLengthAreNone)
+{
+  for (const char* name : { "Region", "Area" })
+  {
+    auto mesh = MakeMesh({ SquareCoordinates(), SquareCoordinates() });
+    vtkNew<vtkCellArray> lines;
+    lines->InsertNextCell({ 0, 1 });
+    mesh->SetLines(lines);
+    vtkNew<vtkDoubleArray> values;
+    values->SetName(name);
+    values->SetNumberOfValues(3);
+    values->Fill(1.0);
+    mesh->GetCellData()->AddArray(values);
+    vtkNew<vtkPEMMetricSummary> summary;
+    summary->SetMetrics({ "MinAngle" });
+    summary->SetSelection(name);
+    summary->SetInputData(mesh);
+    summary->Update();
+    EXPECT_EQ(summary->GetOutput()->GetNumberOfRows(), 1);
+  }
+}
+
+TEST(vtkPEMMetricSummary, ARepeatedVertexMakesNoPolygonOfATriangle)
+{
+  vtkNew<vtkPEMMetricSummary> summary;
+  summary->SetMetrics({ "Area" });
+  summary->SetMeshMetrics({ "Triangles", "Polygons" });
+  summary->SetInputData(MakeSharedMesh({ { 0, 0 }, { 1, 0 }, { 0, 1 } }, { { 0, 1, 1, 2 } }));
+  summary->Update();
+  vtkTable* table = summary->GetOutput();
+  EXPECT_EQ(table->GetValueByName(0, "Triangles").ToInt(), 1);
+  EXPECT_EQ(table->GetValueByName(0, "Polygons").ToInt(), 0);
+}

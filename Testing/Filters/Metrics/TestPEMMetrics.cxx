@@ -79,6 +79,29 @@ TEST(vtkPEMMetrics, ChoosesMetricsInTheOrderOfTheRegistry)
   EXPECT_EQ(filter->GetMetrics(), vtkPEMMetrics::GetAvailableMetrics());
 }
 
+/** Scaled after it was measured: nothing of before is left. */
+TEST(vtkPEMMetrics, ArraysOfMetricsThatTheMeshBringsAreMeasuredAnew)
+{
+  vtkNew<vtkPEMMetrics> first;
+  first->SetInputData(MakeMesh({ SquareCoordinates() }));
+  first->Update();
+  vtkNew<vtkPolyData> scaled;
+  scaled->DeepCopy(first->GetOutput());
+  for (vtkIdType i = 0; i < scaled->GetNumberOfPoints(); ++i)
+  {
+    double point[3];
+    scaled->GetPoint(i, point);
+    scaled->GetPoints()->SetPoint(i, 3.0 * point[0], 3.0 * point[1], 0.0);
+  }
+  vtkNew<vtkPEMMetrics> again;
+  again->SetMetrics({ "MinAngle" });
+  again->SetInputData(scaled);
+  again->Update();
+  EXPECT_EQ(CellValue(again->GetOutput(), "Area", 0), 9.0);
+  EXPECT_EQ(CellValue(again->GetOutput(), "ShortestEdge", 0), 3.0);
+  EXPECT_EQ(CellValue(scaled, "Area", 0), 1.0) << "the input is as it was";
+}
+
 TEST(vtkPEMMetrics, UnknownMetricsAreErrorsThatTellTheNearest)
 {
   vtkNew<vtkPEMMetrics> filter;
@@ -206,4 +229,38 @@ TEST(vtkPEMMetrics, ReportsProgressAndStops)
   filter->Modified();
   filter->Update();
   EXPECT_EQ(filter->GetOutput()->GetNumberOfPolys(), 120000);
+}
+
+TEST(vtkPEMMetrics, WhatCrossesOrRunsAlongItselfIsUndefined)
+{
+  vtkNew<vtkPEMMetrics> filter;
+  const Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(MakeMesh({ { { 0, 0 }, { 1, 1 }, { 3, 3 }, { 3, -1 }, { 1, 1 }, { 0, 2 } },
+    { { 0, 0 }, { 1, 1 }, { 2, 2 }, { 2, 0 }, { 1, 1 }, { 0, 2 } },
+    { { 0, 0 }, { 1, 0 }, { 1, 1 }, { .5, 1 }, { .5, .5 }, { .5, 1 }, { 0, 1 } },
+    { { 0, 0 }, { 1, 1 }, { 2, 0 }, { 2, 2 }, { 1, 1 }, { 0, 2 } } }));
+  filter->Update();
+  for (const std::string& name : pemesh::MetricNames())
+  {
+    for (vtkIdType element = 0; element < 3; ++element)
+    {
+      EXPECT_TRUE(std::isnan(CellValue(filter->GetOutput(), name.c_str(), element))) << name;
+    }
+  }
+  EXPECT_EQ(CellValue(filter->GetOutput(), "Area", 3), 2.0) << "touches itself in a point";
+  EXPECT_NE(warnings.Text.find("3 of 4 elements"), std::string::npos) << warnings.Text;
+}
+
+/** The square of what is shorter than 1e-162 is zero: no ratio may come of it. */
+TEST(vtkPEMMetrics, EdgesTooShortForTheirSquaresAreRepeats)
+{
+  vtkNew<vtkPEMMetrics> filter;
+  const Listener warnings(filter, vtkCommand::WarningEvent);
+  filter->SetInputData(MakeMesh({ { { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 0, 1e-170 } },
+    { { 0, 0 }, { 1e-170, 0 }, { 0, 1e-170 } } }));
+  filter->Update();
+  EXPECT_EQ(CellValue(filter->GetOutput(), "ShortestEdge", 0), 1.0);
+  EXPECT_EQ(CellValue(filter->GetOutput(), "VEMRatio", 0), std::sqrt(2.0));
+  EXPECT_TRUE(std::isnan(CellValue(filter->GetOutput(), "Area", 1)));
+  EXPECT_EQ(warnings.Count, 1);
 }
