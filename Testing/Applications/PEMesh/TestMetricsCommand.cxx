@@ -17,6 +17,8 @@
 #include <vtkTable.h>
 #include <vtkVariant.h>
 
+#include <sys/resource.h>
+
 namespace fs = std::filesystem;
 using pemesh::FileText;
 using pemesh::RunProgram;
@@ -149,6 +151,91 @@ TEST(MetricsCommand, UndefinedIsNaNAndCounted)
   const auto picture =
     RunProgram("pemesh", { "render", mesh, "--color-by", "MinAngle", "-o", folder / "flat.svg" });
   EXPECT_EQ(picture.ExitCode, 0) << picture.Errors;
+}
+
+/** n x n squares as OFF. */
+std::string Squares(int n)
+{
+  std::string text =
+    "OFF\n" + std::to_string((n + 1) * (n + 1)) + " " + std::to_string(n * n) + " 0\n";
+  for (int i = 0; i <= n; ++i)
+  {
+    for (int j = 0; j <= n; ++j)
+    {
+      text += std::to_string(j) + " " + std::to_string(i) + " 0\n";
+    }
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    for (int j = 0; j < n; ++j)
+    {
+      const int corner = i * (n + 1) + j;
+      text += "4 " + std::to_string(corner) + " " + std::to_string(corner + 1) + " " +
+        std::to_string(corner + n + 2) + " " + std::to_string(corner + n + 1) + "\n";
+    }
+  }
+  return text;
+}
+
+/** The most memory that a program started so far took, in kilobytes. */
+long PeakMemory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_CHILDREN, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(MetricsCommand, ManyFilesTakeTheMemoryOfOne)
+{
+  const fs::path folder = TestFolder();
+  std::vector<std::string> arguments = { "metrics", WriteMesh(folder, "0.off", Squares(200)), "-o",
+    folder / "m.csv" };
+  ASSERT_EQ(RunProgram("pemesh", arguments).ExitCode, 0);
+  const long one = PeakMemory();
+  for (int i = 1; i < 12; ++i)
+  {
+    const fs::path copy = folder / (std::to_string(i) + ".off");
+    fs::copy_file(folder / "0.off", copy);
+    arguments.insert(arguments.begin() + 1, copy.string());
+  }
+  ASSERT_EQ(RunProgram("pemesh", arguments).ExitCode, 0);
+  EXPECT_EQ(pemesh::ReadCsvFile(folder / "m.csv")->GetNumberOfRows(), 12);
+  // A mesh and its metrics are 15 MB: eleven more would be twice the program.
+  EXPECT_LT(PeakMemory(), one + 15000);
+}
+
+/** As a program that moves points and keeps arrays would leave it. */
+TEST(MetricsCommand, MetricsThatAFileHoldsAreMeasuredAnew)
+{
+  const fs::path folder = TestFolder();
+  const std::string plain = WriteMesh(folder, "a.off", TwoRectangles);
+  std::ofstream(folder / "stale.vtk") << R"(# vtk DataFile Version 3.0
+two rectangles, once measured at half the size
+ASCII
+DATASET POLYDATA
+POINTS 6 double
+0 0 0 0.25 0 0 1 0 0 1 1 0 0.25 1 0 0 1 0
+POLYGONS 2 10
+4 0 1 4 5
+4 1 2 3 4
+CELL_DATA 2
+SCALARS Diameter double 1
+LOOKUP_TABLE default
+0.1 0.2
+SCALARS Area double 1
+LOOKUP_TABLE default
+0.1 0.2
+)";
+  const auto run = RunProgram("pemesh",
+    { "metrics", plain, folder / "stale.vtk", "-o", folder / "m.csv", "--only", "MinAngle",
+      "--mesh", "MeshSize,TotalArea", "--statistics", "mean,area-mean" });
+  ASSERT_EQ(run.ExitCode, 0) << run.Errors;
+  const auto table = pemesh::ReadCsvFile(folder / "m.csv");
+  for (const char* column : { "MeshSize", "TotalArea", "MinAngle_mean", "MinAngle_area_mean" })
+  {
+    EXPECT_EQ(Value(table, 1, column), Value(table, 0, column)) << column;
+  }
+  EXPECT_EQ(Value(table, 1, "TotalArea"), 1.0);
 }
 
 TEST(MetricsCommand, AnInterruptKeepsTheRowsDone)
