@@ -35,7 +35,7 @@ constexpr Parameter RegularParameters[] = {
 
 constexpr const char* Cabiddu =
   "D. Cabiddu, G. Patane, M. Spagnuolo, A graphical framework to study the correlation between "
-  "geometric design and simulation";
+  "geometric design and simulation, arXiv 2102.11578 (2021)";
 constexpr const char* Sorgente2024 =
   "T. Sorgente, S. Berrone, S. Biasotti, G. Manzini, M. Spagnuolo, F. Vicini, Mesh optimization "
   "for the virtual element method: how small can an agglomerated mesh become?, arXiv:2404.11484 "

@@ -24,16 +24,20 @@ constexpr const char* Stimpson2007 = "C. J. Stimpson et al., The Verdict geometr
                                      "library, Sandia report SAND2007-1751 (2007)";
 constexpr const char* Knupp2000 =
   "P. M. Knupp, Achieving finite element mesh quality via optimization of the Jacobian matrix norm "
-  "and associated quantities, Int. J. Numer. Methods Eng. 48 (2000) 401-420";
+  "and associated quantities. Part I, Int. J. Numer. Methods Eng. 48 (2000) 401-420, doi "
+  "10.1002/(SICI)1097-0207(20000530)48:3<401::AID-NME880>3.0.CO;2-D";
 constexpr const char* Knupp2001 =
   "P. M. Knupp, Algebraic mesh quality metrics, SIAM J. Sci. Comput. 23 (2001) 193-218, "
   "doi 10.1137/S1064827500371499";
 constexpr const char* Antonietti2025 =
   "P. F. Antonietti et al., MAGNET: an open-source library for mesh agglomeration by graph neural "
-  "networks (2025)";
-constexpr const char* Polydeal = "polydeal, a library of polytopal methods built on deal.II";
+  "networks, arXiv 2504.21780 (2025)";
+constexpr const char* Polydeal =
+  "polyDEAL, polytopal discontinuous Galerkin methods in deal.II, github.com/fdrmrc/Polydeal";
 
-constexpr const char* Predecessor2022 = "The predecessor of PEMesh (2022)";
+constexpr const char* Cabiddu2021 =
+  "D. Cabiddu, G. Patane, M. Spagnuolo, A graphical framework to study the correlation between "
+  "geometric design and simulation, arXiv 2102.11578 (2021), and its program of 2022";
 
 /** The lesser of two sizes of an element: the side of a square of its area, its shortest edge. */
 double SmallestLength(ElementGeometry& e)
@@ -199,7 +203,7 @@ constexpr Metric Table[] = {
     .Description = "The inverse of rho_2, unbounded for elements with short edges.",
     .Range = "(2/sqrt(pi), inf)",
     .Good = -1,
-    .Reference = Sorgente2022,
+    .Reference = Cabiddu2021,
     .Needs = NeedsArea | NeedsEdges | NeedsDistances,
     .Function = [](ElementGeometry& e) { return e.GetDiameter() / SmallestLength(e); } },
   { .Name = "MinSideRadiusRatio",
@@ -209,7 +213,7 @@ constexpr Metric Table[] = {
     .Tex = R"(\frac{e_{\min}}{r})",
     .Description = "Length of the shortest edge over the radius of the largest circle inside.",
     .Range = "(0, inf)",
-    .Reference = Predecessor2022,
+    .Reference = Cabiddu2021,
     .Needs = NeedsEdges | NeedsInscribedCircle,
     .Function = [](ElementGeometry& e) { return e.GetEdges().Shortest / e.GetInscribedRadius(); } },
   { .Name = "UniformityFactor",

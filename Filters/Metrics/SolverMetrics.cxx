@@ -13,9 +13,12 @@ namespace pemesh
 namespace
 {
 
-constexpr const char* Arxiv2508 = "arXiv 2508.10570 (2025), CutVEM";
-constexpr const char* PolyDim =
-  "S. Berrone et al., PolyDiM: a C++ library for polytopal discretization methods (2025)";
+constexpr const char* Rangarajan2025 =
+  "R. Rangarajan, N. Sukumar, CutVEM: conforming virtual element method on embedded domains with "
+  "shape-agnostic element agglomeration, arXiv 2508.10570 (2025)";
+constexpr const char* PolyDim = "S. Berrone et al., POLYDIM: a C++ library for polytopal "
+                                "discretization methods, arXiv 2505.14063 "
+                                "(2025)";
 
 constexpr Metric Table[] = {
   { .Name = "StabilityRatio",
@@ -28,7 +31,7 @@ constexpr Metric Table[] = {
       "element method (the projection keeps the mean of the vertices, dofi-dofi stabilisation).",
     .Range = "(0, 1]",
     .Good = 1,
-    .Reference = Arxiv2508,
+    .Reference = Rangarajan2025,
     .Needs = NeedsStiffness,
     .Function = [](ElementGeometry& e) { return e.GetStiffness().StabilityRatio; } },
   { .Name = "ProjectionCondition",
