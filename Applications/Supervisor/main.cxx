@@ -171,17 +171,20 @@ public:
   }
 
 private:
-  /** Takes the status of all that has ended; whether the program has. */
+  /** Waits for all that has ended, but for the program: its number stays its own; whether it has.
+   */
   bool Reap()
   {
-    int status = 0;
-    for (pid_t process = 0; (process = waitpid(-1, &status, WNOHANG)) > 0;)
+    siginfo_t ended = {};
+    while (!this->HasEnded && waitid(P_ALL, 0, &ended, WEXITED | WNOHANG | WNOWAIT) == 0 &&
+      ended.si_pid != 0)
     {
-      if (process == this->Program)
+      this->HasEnded = ended.si_pid == this->Program;
+      if (!this->HasEnded)
       {
-        this->Status = status;
-        this->HasEnded = true;
+        waitpid(ended.si_pid, nullptr, WNOHANG);
       }
+      ended = {};
     }
     return this->HasEnded;
   }
@@ -272,20 +275,23 @@ private:
     {
       this->Left += pemesh::UsageOf(process).IsAlive ? 1 : 0;
     }
-    this->Signal(SIGKILL);
     const Clock::time_point start = Clock::now();
-    while (Clock::now() - start < LongestKilling)
+    for (bool isAlone = false; !isAlone && Clock::now() - start < LongestKilling;)
     {
-      this->Reap();
-      siginfo_t information;
-      if (waitid(P_ALL, 0, &information, WEXITED | WNOHANG | WNOWAIT) != 0)
-      {
-        return; // no child is left
-      }
       this->Signal(SIGKILL);
+      isAlone = true;
+      for (const pid_t process : pemesh::Descendants())
+      {
+        if (process != this->Program)
+        {
+          waitpid(process, nullptr, WNOHANG);
+          isAlone = false;
+        }
+      }
       constexpr useconds_t aMoment = 1000;
-      usleep(aMoment);
+      usleep(isAlone ? 0 : aMoment);
     }
+    waitpid(this->Program, &this->Status, WNOHANG);
   }
 
   void Tell()
@@ -319,6 +325,51 @@ private:
   double Peak = 0.0;
 };
 
+/** Ends all descendants, wherever they hide. */
+void EndDescendants()
+{
+  const Clock::time_point start = Clock::now();
+  while (Clock::now() - start < LongestKilling)
+  {
+    for (const pid_t process : pemesh::Descendants())
+    {
+      kill(process, SIGKILL);
+    }
+    while (waitpid(-1, nullptr, WNOHANG) > 0)
+    {
+    }
+    siginfo_t information;
+    if (waitid(P_ALL, 0, &information, WEXITED | WNOHANG | WNOWAIT) != 0)
+    {
+      return; // no child is left
+    }
+    constexpr useconds_t aMoment = 1000;
+    usleep(aMoment);
+  }
+}
+
+/**
+ * Stays behind as the parent of the process that keeps watch, which the program can name and so
+ * may kill: what the program has started falls to this one then, and is ended. In the process that
+ * keeps watch it comes back.
+ */
+void LeaveGuard()
+{
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
+  const pid_t watch = fork();
+  if (watch <= 0) // where there is no room for another process it has to do without
+  {
+    return;
+  }
+  close_range(STDIN_FILENO, ~0U, 0); // the host waits for the end of the report
+  int status = 0;
+  while (waitpid(watch, &status, 0) < 0 && errno == EINTR)
+  {
+  }
+  EndDescendants();
+  _exit(WIFEXITED(status) ? WEXITSTATUS(status) : 1);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -333,11 +384,12 @@ int main(int argc, char** argv)
   close_range(ReportDescriptor + 1, ~0U, 0); // what the host has left open is not the solver's
   const Limits limits{ std::strtod(argv[1], nullptr), std::strtod(argv[2], nullptr),
     std::strtod(argv[3], nullptr), std::strtod(argv[4], nullptr) };
-  prctl(PR_SET_CHILD_SUBREAPER, 1);
   for (const int number : { SIGTERM, SIGINT, SIGHUP, SIGPIPE })
   {
     std::signal(number, SIG_IGN); // it ends when the solver has
   }
+  LeaveGuard();
+  prctl(PR_SET_CHILD_SUBREAPER, 1); // which is not inherited
   sigset_t child;
   sigemptyset(&child);
   sigaddset(&child, SIGCHLD);

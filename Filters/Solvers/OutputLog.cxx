@@ -51,8 +51,10 @@ OutputLog::OutputLog(const std::filesystem::path& path, std::size_t limit)
   {
     return;
   }
-  // A solver of an earlier run may have left a link there: nothing is written through it.
-  constexpr int flags = O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW;
+  // A solver of an earlier run may have left anything there: a link is not to be written through,
+  // and a pipe that nobody reads would be waited for.
+  unlink(path.c_str());
+  constexpr int flags = O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC;
   this->File.Reset(open(path.c_str(), flags, 0666));
   if (!this->File.IsOpen())
   {

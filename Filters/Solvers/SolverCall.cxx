@@ -116,14 +116,21 @@ void WriteList(const Requests& requests, const fs::path& workingDirectory)
 void ShareFiles(const Requests& requests)
 {
   const fs::path from = requests.front()->Folder.GetPath();
-  for (std::size_t i = 1; i < requests.size(); ++i)
+  for (std::size_t i = 1; i < requests.size() && requests.front()->Folder.IsThere(); ++i)
   {
+    if (!requests[i]->Folder.IsThere())
+    {
+      continue;
+    }
     const fs::path to = requests[i]->Folder.GetPath();
     for (const char* name : { OutputFile, ErrorFile, CommandFile, ListFile })
     {
       std::error_code ignored;
-      fs::remove(to / name, ignored); // it may be a link, which is not to be written through
-      fs::copy_file(from / name, to / name, ignored);
+      fs::remove_all(to / name, ignored); // it may be a link, which is not to be written through
+      if (fs::is_regular_file(fs::symlink_status(from / name, ignored)))
+      {
+        fs::copy_file(from / name, to / name, ignored);
+      }
     }
   }
 }
@@ -187,6 +194,10 @@ void CallForAll(const Requests& requests, const SolverRun& own)
     throw std::runtime_error("The program \"" + program +
       "\" is not there; give its path in the command of the solver, or put it beside pemesh or "
       "into a folder of PATH");
+  }
+  for (const SolverRequest* request : requests)
+  {
+    request->Folder.Remove(SolverCallFiles(request->Folder)); // of an earlier call
   }
   WriteTextFile(requests.front()->Folder.GetPath() / CommandFile, ShellLine(child.Arguments));
   if (TakesList(own.Description))

@@ -28,6 +28,12 @@ SolverFolder::SolverFolder(const fs::path& workDirectory, const std::string& ste
     root = this->Temporary = name;
   }
   this->Path = fs::absolute(root / stem).lexically_normal();
+  this->Make();
+  RemoveHalfWrittenFiles(this->Path); // of a run that was killed
+}
+
+void SolverFolder::Make() const
+{
   std::error_code error;
   if (fs::is_symlink(fs::symlink_status(this->Path, error)))
   {
@@ -41,7 +47,12 @@ SolverFolder::SolverFolder(const fs::path& workDirectory, const std::string& ste
     throw std::runtime_error(
       "Cannot make the folder \"" + this->Path.string() + "\": " + error.message() + ".");
   }
-  RemoveHalfWrittenFiles(this->Path); // of a run that was killed
+}
+
+bool SolverFolder::IsThere() const
+{
+  std::error_code error;
+  return fs::is_directory(fs::symlink_status(this->Path, error));
 }
 
 SolverFolder::~SolverFolder()

@@ -29,6 +29,12 @@ public:
 
   const std::filesystem::path& GetPath() const { return this->Path; }
 
+  /** Makes it, also again. Throws std::runtime_error where it cannot, or a link is in its place. */
+  void Make() const;
+
+  /** Whether it is there, as a folder of its own: a solver may put a link in its place. */
+  bool IsThere() const;
+
   /** Removes files of an earlier run, which must not be taken for new ones. Throws. */
   void Remove(const std::vector<std::filesystem::path>& files);
 

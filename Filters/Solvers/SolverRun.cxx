@@ -28,17 +28,44 @@ namespace pemesh
 namespace
 {
 
-/** A file name made of the mesh's name, whatever that holds. */
+/** The first bytes of a text, at most so many, that do not end within a character of UTF-8. */
+std::string CutText(const std::string& text, std::size_t most)
+{
+  std::size_t size = std::min(most, text.size());
+  constexpr std::size_t longestCharacter = 4;
+  for (std::size_t i = 1; size < text.size() && i < longestCharacter && (text[size] & 0xC0) == 0x80;
+       ++i)
+  {
+    --size;
+  }
+  return text.substr(0, size);
+}
+
+/**
+ * A file name made of the mesh's name, whatever that holds. A name that has to be changed gets a
+ * digest of all of it, so that two meshes never share a folder.
+ */
 std::string MakeStem(vtkPolyData* mesh)
 {
-  std::string stem = GetFieldText(mesh, MeshNameField);
+  const std::string name = GetFieldText(mesh, MeshNameField);
+  constexpr std::size_t longest = 200; // file systems end at 255 with what the solver appends
+  constexpr std::size_t digits = 16;
+  std::string stem = CutText(name, name.size() > longest ? longest - digits - 1 : longest);
   for (char& c : stem)
   {
     c = c == '/' || static_cast<unsigned char>(c) < ' ' ? '_' : c;
   }
-  constexpr std::size_t longest = 200; // file systems end at 255 with what the solver appends
-  stem.resize(std::min(stem.size(), longest));
-  return stem.find_first_not_of('.') == std::string::npos ? "mesh" : stem;
+  if (stem.find_first_not_of('.') == std::string::npos)
+  {
+    stem = "mesh";
+  }
+  if (stem == name || name.empty())
+  {
+    return stem;
+  }
+  ContentDigest digest;
+  digest.Add(name);
+  return stem + '-' + digest.Finish().substr(0, digits);
 }
 
 std::string EndSentence(std::string text)
@@ -130,8 +157,7 @@ SolverOutcome JudgeEnding(
 std::string Explanation(const SolverFolder& folder,
   const std::vector<std::filesystem::path>& expected, const ChildProcessResult& result)
 {
-  std::error_code error;
-  if (!std::filesystem::exists(folder.GetPath(), error))
+  if (!folder.IsThere())
   {
     return "It has removed its own folder.";
   }
@@ -180,7 +206,20 @@ SolverOutcome JudgeAnswer(const SolverRun& run, SolverAnswer answer, const std::
 
 constexpr const char* SolvedFile = "solved.txt";
 
-/** The question that is put to the solver, as a digest. The mesh file is written. */
+/** A solver may have put anything in place of a file of its folder: a pipe, a link to the endless.
+ */
+bool IsOwnFile(const std::filesystem::path& file)
+{
+  std::error_code error;
+  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error));
+}
+
+void AddOwnFile(ContentDigest& digest, const std::filesystem::path& file)
+{
+  IsOwnFile(file) ? digest.AddFile(file) : digest.Add("no file");
+}
+
+/** The question that is put to the solver, as a digest. The mesh is written. */
 std::string QuestionOf(const SolverRun& run, const std::filesystem::path& meshFile)
 {
   ContentDigest digest;
@@ -190,10 +229,9 @@ std::string QuestionOf(const SolverRun& run, const std::filesystem::path& meshFi
   {
     digest.Add(name + '=' + value);
   }
-  for (const std::string& extension :
-    { meshFile.extension().string(), std::string(".node"), std::string(".ele") })
+  for (const char* extension : SolverMeshFormat(run.Description.MeshFormat).Extensions)
   {
-    digest.AddFile(std::filesystem::path(meshFile).replace_extension(extension));
+    AddOwnFile(digest, std::filesystem::path(meshFile).replace_extension(extension));
   }
   return digest.Finish();
 }
@@ -205,7 +243,7 @@ std::string SolvedText(
   ContentDigest digest;
   for (const std::filesystem::path& file : answers)
   {
-    digest.AddFile(file);
+    AddOwnFile(digest, file);
   }
   return "question " + question + "\nanswer " + digest.Finish() + "\n";
 }
@@ -213,9 +251,8 @@ std::string SolvedText(
 bool IsSolved(const std::filesystem::path& file, const std::string& question,
   const std::vector<std::filesystem::path>& answers)
 {
-  std::error_code error;
-  return std::filesystem::is_regular_file(std::filesystem::symlink_status(file, error)) &&
-    ReadTextFile(file) == SolvedText(question, answers);
+  const std::string expected = IsOwnFile(file) ? SolvedText(question, answers) : std::string();
+  return !expected.empty() && ReadTextFile(file, expected.size() + 1) == expected;
 }
 
 /** One attempt in a folder where the mesh file lies. */
@@ -238,6 +275,11 @@ SolverOutcome RunOnce(const SolverRun& run, vtkPolyData* mesh, SolverRequest& re
   {
     return outcome;
   }
+  std::error_code error;
+  if (std::filesystem::is_symlink(std::filesystem::symlink_status(folder.GetPath(), error)))
+  {
+    return Failure("bad-output", NameOfSolver(run) + " has put a link in place of its own folder");
+  }
   return JudgeAnswer(run,
     ReadSolverAnswer(
       run.Description, folder.GetPath(), stem, mesh->GetNumberOfPoints(), mesh->GetNumberOfPolys()),
@@ -250,6 +292,20 @@ bool MayGoWell(const std::string& status)
   return status != "ok" && status != "cancelled" && status != "not-found";
 }
 
+/** Whatever a solver may have left in their places goes first. */
+void WriteMeshFiles(const MeshFormat& format, SolverFolder& folder,
+  const std::filesystem::path& meshFile, vtkPolyData* mesh)
+{
+  folder.Make();
+  std::vector<std::filesystem::path> files;
+  for (const char* extension : format.Extensions)
+  {
+    files.push_back(std::filesystem::path(meshFile).replace_extension(extension));
+  }
+  folder.Remove(files);
+  format.Write(meshFile, mesh);
+}
+
 SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
 {
   const std::string stem = MakeStem(mesh);
@@ -259,7 +315,7 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
   const std::filesystem::path solved = folder.GetPath() / SolvedFile;
   const std::vector<std::filesystem::path> answers =
     SolverAnswerFiles(run.Description, folder.GetPath(), stem);
-  format.Write(meshFile, mesh);
+  WriteMeshFiles(format, folder, meshFile, mesh);
   const std::string question = QuestionOf(run, meshFile);
   if (run.ReusesAnswer && IsSolved(solved, question, answers))
   {
@@ -272,12 +328,12 @@ SolverOutcome RunInFolder(const SolverRun& run, vtkPolyData* mesh)
   bool isAlone = false;
   for (int attempt = 0; attempt <= run.Retries;)
   {
-    folder.Remove({ solved });
-    folder.Remove(answers);
     if (isAlone)
     {
-      format.Write(meshFile, mesh); // the solver may have changed it
+      WriteMeshFiles(format, folder, meshFile, mesh); // the solver may have changed them
     }
+    folder.Remove({ solved });
+    folder.Remove(answers);
     outcome = RunOnce(run, mesh, request, isAlone);
     if (!MayGoWell(outcome.Status))
     {

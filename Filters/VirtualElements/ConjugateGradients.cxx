@@ -35,6 +35,14 @@ public:
     }
   }
 
+  /** False where the incomplete factorisation breaks down, as it may if the matrix is indefinite.
+   */
+  bool IsThere() const
+  {
+    return this->Kind != CgPreconditioner::IncompleteCholesky ||
+      this->Factor.info() == Eigen::Success;
+  }
+
   void Apply(const Vector& residual, Vector& result) const
   {
     switch (this->Kind)
@@ -67,6 +75,10 @@ ConjugateGradients RunConjugateGradients(const SparseMatrix& matrix,
   const Preconditioner preconditioner(matrix, kind);
   ConjugateGradients result;
   result.Solution.assign(rightHandSide.size(), 0.0);
+  if (!preconditioner.IsThere())
+  {
+    return result;
+  }
   Eigen::Map<Vector> x(result.Solution.data(), size);
   Vector residual = Eigen::Map<const Vector>(rightHandSide.data(), size);
   Vector direction(size);

@@ -46,7 +46,17 @@ std::unique_ptr<Factorization> Factorize(const SparseMatrix& matrix, double memo
 {
   if (matrix.Symmetric)
   {
-    return std::make_unique<SparseCholesky>(matrix, memoryLimit);
+    try
+    {
+      return std::make_unique<SparseCholesky>(matrix, memoryLimit);
+    }
+    catch (const NotPositiveDefinite&)
+    {
+      if (matrix.Definite)
+      {
+        throw;
+      }
+    }
   }
   return std::make_unique<SparseLU>(matrix, memoryLimit);
 }
@@ -75,7 +85,10 @@ std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> 
       matrix, rightHandSide, CgPreconditioner::IncompleteCholesky, ResidualTolerance, limit, check);
     if (!iteration.Converged)
     {
-      throw std::runtime_error("Conjugate gradients did not converge: use the direct solver.");
+      throw std::runtime_error(matrix.Definite
+          ? "Conjugate gradients did not converge: use the direct solver."
+          : "Conjugate gradients did not converge, as may be with a negative reaction: use the "
+            "direct solver.");
     }
     return iteration.Solution;
   }
@@ -87,6 +100,10 @@ std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> 
   solver.setTolerance(ResidualTolerance);
   solver.setMaxIterations(limit);
   solver.compute(copy);
+  if (solver.info() != Eigen::Success)
+  {
+    throw std::runtime_error("The incomplete factorisation broke down: use the direct solver.");
+  }
   std::vector<double> solution(rightHandSide.size());
   const auto size = static_cast<Eigen::Index>(rightHandSide.size());
   Eigen::Map<Eigen::VectorXd>(solution.data(), size) =

@@ -6,6 +6,7 @@
 
 #include <cholmod.h>
 
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -32,6 +33,35 @@ cholmod_sparse ViewOf(const SparseMatrix& matrix)
   view.sorted = 1;
   view.packed = 1;
   return view;
+}
+
+// A pivot that is so much smaller than the diagonal entry it comes from has no correct digit.
+constexpr double LeastPivot = 8.0 * std::numeric_limits<double>::epsilon();
+
+// Whether all pivots are good, relative to their entries of the diagonal: unlike the ratio of the
+// smallest and the largest pivot that does not mind coefficients of very different sizes.
+bool HasGoodPivots(const SparseMatrix& matrix, const cholmod_factor& factor)
+{
+  const auto* columns = static_cast<const int*>(factor.super);
+  const auto* rows = static_cast<const int*>(factor.pi);
+  const auto* places = static_cast<const int*>(factor.px);
+  const auto* order = static_cast<const int*>(factor.Perm);
+  const auto* values = static_cast<const double*>(factor.x);
+  for (std::size_t block = 0; block < factor.nsuper; ++block)
+  {
+    const int step = rows[block + 1] - rows[block] + 1; // from diagonal entry to diagonal entry
+    for (int column = columns[block]; column < columns[block + 1]; ++column)
+    {
+      const double root = values[places[block] + (column - columns[block]) * step];
+      // The lower triangle starts with the diagonal.
+      const double entry = matrix.Value[matrix.ColumnStart[order[column]]];
+      if (!(root * root > LeastPivot * entry))
+      {
+        return false;
+      }
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -88,10 +118,10 @@ SparseCholesky::SparseCholesky(const SparseMatrix& matrix, double memoryLimit)
   cholmod_factorize(&view, this->Factor->Lower, common);
   this->Factor->CheckStatus();
   if (common->status == CHOLMOD_NOT_POSDEF || this->Factor->Lower->minor < view.ncol ||
-    !(cholmod_rcond(this->Factor->Lower, common) > 0.0))
+    !HasGoodPivots(matrix, *this->Factor->Lower))
   {
-    throw std::runtime_error("The stiffness matrix is singular or indefinite in double precision: "
-                             "an element may be flat, or the mesh not connected to its boundary.");
+    throw NotPositiveDefinite("The stiffness matrix is singular or indefinite in double precision: "
+                              "an element may be flat, or the mesh not connected to its boundary.");
   }
 }
 

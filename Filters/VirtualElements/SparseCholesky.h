@@ -15,15 +15,21 @@
 
 #include <limits>
 #include <memory>
+#include <stdexcept>
 
 namespace pemesh
 {
+
+class NotPositiveDefinite : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 
 class PEMESHFILTERSVIRTUALELEMENTS_EXPORT SparseCholesky : public Factorization
 {
 public:
   /**
-   * Factorises a symmetric matrix. Throws std::runtime_error if it is not positive definite in
+   * Factorises a symmetric matrix. Throws NotPositiveDefinite if it is not positive definite in
    * double precision (singular, indefinite, or too badly conditioned), and std::bad_alloc if memory
    * does not suffice, or the factor would take more bytes than `memoryLimit`.
    */

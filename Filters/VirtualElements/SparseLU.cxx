@@ -6,6 +6,7 @@
 
 #include <umfpack.h>
 
+#include <limits>
 #include <new>
 #include <stdexcept>
 #include <string>
@@ -16,13 +17,15 @@ namespace pemesh
 struct SparseLU::Internals
 {
   SingleThreadedBlas Blas;
+  SparseMatrix Full; // where both triangles have to be made
   const SparseMatrix& Matrix;
   double Control[UMFPACK_CONTROL];
   void* Symbolic = nullptr;
   void* Numeric = nullptr;
 
   explicit Internals(const SparseMatrix& matrix)
-    : Matrix(matrix)
+    : Full(matrix.Symmetric ? WithBothTriangles(matrix) : SparseMatrix())
+    , Matrix(matrix.Symmetric ? this->Full : matrix)
   {
     umfpack_di_defaults(this->Control);
   }
@@ -57,10 +60,11 @@ void CheckStatus(int status)
 
 } // namespace
 
-SparseLU::SparseLU(const SparseMatrix& matrix, double memoryLimit)
-  : Factor(std::make_unique<Internals>(matrix))
+SparseLU::SparseLU(const SparseMatrix& any, double memoryLimit)
+  : Factor(std::make_unique<Internals>(any))
 {
   double info[UMFPACK_INFO];
+  const SparseMatrix& matrix = this->Factor->Matrix;
   const int n = matrix.Size();
   CheckStatus(umfpack_di_symbolic(n, n, matrix.ColumnStart.data(), matrix.Row.data(),
     matrix.Value.data(), &this->Factor->Symbolic, this->Factor->Control, info));
@@ -70,6 +74,11 @@ SparseLU::SparseLU(const SparseMatrix& matrix, double memoryLimit)
   }
   CheckStatus(umfpack_di_numeric(matrix.ColumnStart.data(), matrix.Row.data(), matrix.Value.data(),
     this->Factor->Symbolic, &this->Factor->Numeric, this->Factor->Control, info));
+  // UMFPACK itself warns only of a pivot that is exactly zero.
+  if (!(info[UMFPACK_RCOND] > std::numeric_limits<double>::epsilon()))
+  {
+    CheckStatus(UMFPACK_WARNING_singular_matrix);
+  }
 }
 
 SparseLU::~SparseLU() = default;

@@ -18,8 +18,8 @@ class PEMESHFILTERSVIRTUALELEMENTS_EXPORT SparseLU : public Factorization
 {
 public:
   /**
-   * Factorises a matrix that is not marked as symmetric; it must live as long as this object.
-   * Throws std::runtime_error if it is singular in double precision, or memory does not suffice.
+   * Factorises a matrix, which must live as long as this object. Throws std::runtime_error if it
+   * is singular in double precision: a pivot is below the machine epsilon times the largest one.
    * `memoryLimit`, in bytes: throws std::bad_alloc where the estimate is above.
    */
   explicit SparseLU(const SparseMatrix& matrix, double memoryLimit);

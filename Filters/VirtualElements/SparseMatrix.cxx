@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace pemesh
 {
@@ -63,6 +64,26 @@ std::vector<double> Multiply(const SparseMatrix& matrix, std::span<const double>
   std::vector<double> result(matrix.Size());
   Multiply(matrix, x, result);
   return result;
+}
+
+SparseMatrix WithBothTriangles(const SparseMatrix& matrix)
+{
+  SparseMatrix full;
+  full.Symmetric = full.Definite = false;
+  full.ColumnStart.assign(matrix.ColumnStart.size(), 0);
+  ForEachEntry(matrix, [&full](int, int column, double) { ++full.ColumnStart[column + 1]; });
+  std::partial_sum(full.ColumnStart.begin(), full.ColumnStart.end(), full.ColumnStart.begin());
+  full.Row.resize(full.ColumnStart.back());
+  full.Value.resize(full.ColumnStart.back());
+  std::vector<int> next(full.ColumnStart.begin(), full.ColumnStart.end() - 1);
+  // Column by column of the lower triangle the rows of each column come in ascending order.
+  ForEachEntry(matrix,
+    [&](int row, int column, double value)
+    {
+      full.Row[next[column]] = row;
+      full.Value[next[column]++] = value;
+    });
+  return full;
 }
 
 Factorization::~Factorization() = default;

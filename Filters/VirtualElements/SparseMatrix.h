@@ -17,6 +17,7 @@ namespace pemesh
 struct SparseMatrix
 {
   bool Symmetric = true;                ///< then only the lower triangle is stored
+  bool Definite = true;                 ///< with Symmetric: positive definite but for rounding
   std::vector<int> ColumnStart = { 0 }; ///< one more than there are columns
   std::vector<int> Row;                 ///< ascending in a column; the diagonal always there
   std::vector<double> Value;
@@ -39,6 +40,9 @@ PEMESHFILTERSVIRTUALELEMENTS_EXPORT void MultiplyTransposed(
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::vector<double> Multiply(
   const SparseMatrix& matrix, std::span<const double> x);
 ///@}
+
+/** The same matrix with both triangles stored. */
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT SparseMatrix WithBothTriangles(const SparseMatrix& matrix);
 
 /** A matrix factorised, so that systems with it are quickly solved. */
 class PEMESHFILTERSVIRTUALELEMENTS_EXPORT Factorization

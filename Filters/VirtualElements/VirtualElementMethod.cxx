@@ -18,6 +18,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 
@@ -144,6 +145,47 @@ std::vector<double> EvaluateKnown(
   return values;
 }
 
+// Advection as well as diffusion maps constants to zero, on each part of the mesh that hangs
+// together by degrees of freedom.
+void CheckConstants(const DegreesOfFreedom& dofs)
+{
+  std::vector<vtkIdType> parent(dofs.Points.size()); // disjoint sets, halving paths
+  std::iota(parent.begin(), parent.end(), vtkIdType{ 0 });
+  const auto find = [&parent](vtkIdType id)
+  {
+    while (parent[id] != id)
+    {
+      id = parent[id] = parent[parent[id]];
+    }
+    return id;
+  };
+  const auto elements = static_cast<vtkIdType>(dofs.Offsets.size()) - 1;
+  for (vtkIdType element = 0; element < elements; ++element)
+  {
+    const auto ids = dofs.OfElement(element);
+    for (const vtkIdType id : ids)
+    {
+      const vtkIdType first = find(ids.front());
+      parent[find(id)] = first;
+    }
+  }
+  std::vector<char> isFixed(parent.size(), 0);
+  for (vtkIdType id = 0; id < dofs.Size(); ++id)
+  {
+    isFixed[find(id)] = isFixed[find(id)] || dofs.Known[id];
+  }
+  for (vtkIdType element = 0; element < elements; ++element)
+  {
+    if (!isFixed[find(dofs.OfElement(element).front())])
+    {
+      throw std::runtime_error(
+        "The solution is given on no part of the boundary of the part of the mesh that holds "
+        "element " +
+        std::to_string(element) + ", and there is no reaction: it is known only up to a constant.");
+    }
+  }
+}
+
 void CheckSystem(
   const DegreesOfFreedom& dofs, const VirtualElementSystem& system, const EllipticProblem& problem)
 {
@@ -154,11 +196,9 @@ void CheckSystem(
           "the boundary, where the solution is given."
         : "The mesh has no edge inside, so that there is nothing to solve.");
   }
-  if (!problem.HasReaction() && !problem.HasAdvection() &&
-    std::none_of(dofs.Known.begin(), dofs.Known.end(), [](char known) { return known != 0; }))
+  if (!problem.HasReaction())
   {
-    throw std::runtime_error("The solution is given on no part of the boundary and there is no "
-                             "reaction: it is known only up to a constant.");
+    CheckConstants(dofs);
   }
 }
 

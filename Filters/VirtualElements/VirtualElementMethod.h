@@ -62,8 +62,8 @@ struct VirtualElementResult
    * With K the matrix on all degrees of freedom, e = u - u_h in these, Pi the gradient projection:
    * sqrt(e^T K e / u^T K u), max |e| / max |u| at the vertices, and the L2 norm and the H1 seminorm
    * of u - Pi u_h, over those of u and absolute, and of Pi (u - u_h) over those of Pi u. NaN where
-   * the denominator vanishes (the first two when u is zero, or constant, at all vertices), or u is
-   * not known.
+   * the denominator vanishes (the first two when u is zero, or constant, at all vertices), e^T K e
+   * is negative, as a negative reaction may make it, or u is not known.
    */
   double RelativeErrorEnergy = 0.0;
   double RelativeErrorInf = 0.0;

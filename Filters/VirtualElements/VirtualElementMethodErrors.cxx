@@ -334,7 +334,10 @@ void SumErrors(const VirtualElementMesh& mesh, const std::vector<Squares>& eleme
   const auto root = [&sums](Square which) { return SquareRoot(sums[which]); };
   // For scale: the H1 seminorm, and the gradient times the size of the domain.
   const double seminorm = root(NormH1);
-  result.RelativeErrorEnergy = RelativeError(root(EnergyError), root(EnergyNorm), seminorm);
+  // A negative reaction may make the form indefinite, and then it is no norm.
+  const bool isNorm = sums[EnergyError] > -1.0e-12 * std::abs(sums[EnergyNorm]);
+  result.RelativeErrorEnergy =
+    isNorm ? RelativeError(root(EnergyError), root(EnergyNorm), seminorm) : NotKnown;
   result.RelativeErrorInf = LargestRelativeError(mesh, values, truth, seminorm);
   result.AbsoluteErrorL2 = root(ErrorL2);
   result.AbsoluteErrorH1 = root(ErrorH1);

@@ -297,6 +297,7 @@ VirtualElementParts ComputeElementParts(const VirtualElementMesh& mesh,
 {
   VirtualElementParts parts;
   parts.Symmetric = !problem.HasAdvection();
+  parts.Definite = parts.Symmetric && !problem.HasReaction();
   const vtkIdType elements = mesh.NumberOfElements();
   parts.MatrixOffset.assign(elements + 1, 0);
   for (vtkIdType id = 0; id < elements; ++id)
@@ -323,6 +324,7 @@ VirtualElementSystem AssembleSystem(
   const DofUses uses(dofs);
   const vtkIdType unknowns = static_cast<vtkIdType>(system.DofOf.size());
   system.Matrix.Symmetric = parts.Symmetric;
+  system.Matrix.Definite = parts.Definite;
   system.RightHandSide.resize(unknowns);
   std::vector<int>& start = system.Matrix.ColumnStart;
   start.assign(unknowns + 1, 0);

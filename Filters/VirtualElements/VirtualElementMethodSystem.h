@@ -26,6 +26,7 @@ class SolveReport;
 struct VirtualElementParts
 {
   bool Symmetric = true;
+  bool Definite = true;                  ///< no reaction, which may be negative
   std::vector<std::size_t> MatrixOffset; ///< of each element in Matrix
   std::vector<double> Matrix;            ///< packed lower triangles, or whole matrices by rows
   std::vector<double> Load;              ///< one number for each of DegreesOfFreedom::Ids

@@ -77,8 +77,8 @@ constexpr std::array Loads = {
 constexpr std::array Solvers = {
   NamedChoice<SolverKind>{
     "auto", "direct if the factor fits into memory, else iterative", SolverKind::Automatic },
-  NamedChoice<SolverKind>{
-    "direct", "sparse Cholesky, or LU where there is advection", SolverKind::Direct },
+  NamedChoice<SolverKind>{ "direct",
+    "sparse Cholesky, or LU where there is advection or a negative reaction", SolverKind::Direct },
   NamedChoice<SolverKind>{ "iterative",
     "conjugate gradients with incomplete Cholesky, or BiCGSTAB with incomplete LU",
     SolverKind::Iterative },

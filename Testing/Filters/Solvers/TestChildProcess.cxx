@@ -292,6 +292,18 @@ TEST(ChildProcess, ASolverThatKillsItsSupervisorEndsToo)
   EXPECT_EQ(CountGone(folder / "out"), 2);
 }
 
+// In a session of its own, without the environment, and deaf.
+TEST(ChildProcess, WhatHidesEndsEvenIfTheSupervisorIsKilled)
+{
+  const std::filesystem::path folder = TestFolder();
+  const ChildProcessResult result = RunChildProcess(Shell(folder,
+    "setsid sleep 60 & echo $!; (env -i setsid sh -c 'trap \"\" TERM HUP; echo $$; sleep 60' &); "
+    "sleep 0.3; kill -KILL $PPID; sleep 60"));
+  EXPECT_EQ(result.How, Ending::Signal);
+  EXPECT_THAT(result.Reason, testing::HasSubstr("supervisor"));
+  EXPECT_EQ(CountGone(folder / "out"), 2);
+}
+
 TEST(ChildProcess, KeepsTheLimitOfProcessorTime)
 {
   // Two at a time: of all processes together.

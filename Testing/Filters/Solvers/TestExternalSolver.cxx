@@ -139,6 +139,54 @@ TEST(ExternalSolver, NamesThatAreNoFileNames)
   EXPECT_FALSE(std::filesystem::exists("/abs"));
 }
 
+bool IsUtf8(const std::string& text)
+{
+  std::size_t following = 0;
+  for (const char c : text)
+  {
+    const auto byte = static_cast<unsigned char>(c);
+    if ((following > 0) != ((byte & 0xC0) == 0x80))
+    {
+      return false;
+    }
+    following = following > 0 ? following - 1 : byte >= 0xE0 ? 2 : byte >= 0xC0 ? 1 : 0;
+  }
+  return following == 0;
+}
+
+// Names that are cut, or changed to be names of files, at the same place.
+TEST(ExternalSolver, NoTwoMeshesShareAFolder)
+{
+  std::string letters; // of two and three bytes
+  while (letters.size() < 230)
+  {
+    letters += letters.size() % 3 == 0 ? "ü" : "网";
+  }
+  const std::string stem(230, 'a');
+  const auto solver = MakeSolver("ok");
+  const std::filesystem::path root = solver->GetWorkDirectory();
+  std::size_t count = 0;
+  for (const std::string& name : { stem + "_000", stem + "_001", letters + "_000", 'x' + letters,
+         letters + "_001", std::string("a/b"), std::string("a_b"), std::string("a\nb"),
+         std::string("mesh"), std::string(".."), std::string(200, 'b') })
+  {
+    SCOPED_TRACE(name);
+    solver->SetInputData(NamedHouse(name));
+    solver->Update();
+    EXPECT_EQ(GetFieldText(solver->GetOutput(), "run_Status"), "ok");
+    EXPECT_EQ(
+      static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(root), {})),
+      ++count);
+  }
+  EXPECT_TRUE(std::filesystem::exists(root / std::string(200, 'b')));
+  for (const auto& entry : std::filesystem::directory_iterator(root))
+  {
+    const std::string name = entry.path().filename().string();
+    EXPECT_LE(name.size(), 200U);
+    EXPECT_TRUE(IsUtf8(name)) << name << " is cut within a character";
+  }
+}
+
 TEST(ExternalSolver, OptionsReachTheSolverOneByOne)
 {
   SolverDescription description = FakeSolver("arguments");

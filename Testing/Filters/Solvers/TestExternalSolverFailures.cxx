@@ -172,6 +172,54 @@ TEST(ExternalSolverFailures, AnOldAnswerIsNotTakenForANewOne)
   EXPECT_FALSE(std::filesystem::exists(folder / "house-condition-number.txt"));
 }
 
+// Pipes that nobody writes to or reads, and links to the endless, in the places of all files that
+// are opened before, between and after attempts.
+TEST(ExternalSolverFailures, NothingThatASolverLeavesHoldsUpTheNextAttempt)
+{
+  for (const char* mode : { "pipes", "endless" })
+  {
+    SCOPED_TRACE(mode);
+    const auto solver = MakeSolver(mode);
+    solver->SetRetries(1);
+    solver->ReuseAnswersOn();
+    ExpectFailed(solver, "exit-status", "It was tried 2 times.");
+    const auto second = MakeSolver("ok");
+    second->ReuseAnswersOn();
+    second->SetWorkDirectory(solver->GetWorkDirectory());
+    second->Update();
+    EXPECT_EQ(GetFieldText(second->GetOutput(), "run_Status"), "ok")
+      << GetFieldText(second->GetOutput(), "run_StatusMessage");
+    EXPECT_EQ(PointValues(second->GetOutput(), "run_Solution").size(), 6U);
+  }
+}
+
+TEST(ExternalSolverFailures, AFolderThatTheSolverMakesALinkIsNotWrittenInto)
+{
+  const auto solver = MakeSolver("ok");
+  const std::filesystem::path root = solver->GetWorkDirectory();
+  const std::filesystem::path precious = root / "precious";
+  for (const char* status : { "0", "1" })
+  {
+    std::filesystem::create_directories(precious);
+    WriteBytes(precious / "house-solution.txt", "1 2 3 4 5 6");
+    WriteBytes(precious / "stdout.log", "mine");
+    setenv("PRECIOUS", precious.c_str(), 1);
+    SolverDescription description = FakeSolver("link-folder");
+    description.Command.emplace_back(status);
+    solver->SetWorkDirectory((root / "work" / status).string());
+    solver->SetDescription(description);
+    solver->SetRetries(1);
+    ExpectFailed(solver, "not-written", "is a link");
+    solver->SetRetries(0);
+    std::filesystem::remove(root / "work" / status / "house");
+    ExpectFailed(solver, *status == '0' ? "bad-output" : "exit-status",
+      *status == '0' ? "has put a link in place of its own folder" : "status 1");
+    unsetenv("PRECIOUS");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(precious), {}), 2);
+    EXPECT_EQ(ReadBytes(precious / "stdout.log"), "mine");
+  }
+}
+
 TEST(ExternalSolverFailures, AnOldArrayIsNotTakenForANewOne)
 {
   const auto first = MakeSolver("ok");

@@ -51,6 +51,18 @@ case $mode in
   empty) write_answer; : > "$base-solution.txt" ;;
   folder) write_answer; rm "$base-solution.txt"; mkdir "$base-solution.txt" ;;
   no-files) ;;
+  pipes)
+    for name in stdout.log stderr.log command.txt list.txt solved.txt "$stem.off" "$stem.node" \
+      "$stem.ele" "$stem-solution.txt" "$stem-ground-truth.txt" "$stem-ErrorL2.txt"; do
+      rm -f "$output/$name"; mkfifo "$output/$name"
+    done
+    echo again >> "$output/attempts"; exit 1 ;;
+  endless)
+    for name in stdout.log solved.txt "$stem.off" "$stem.node" "$stem-ground-truth.txt"; do
+      ln -sf /dev/zero "$output/$name"
+    done
+    exit 1 ;;
+  link-folder) write_answer; mv "$output" "$output-moved"; ln -s "$PRECIOUS" "$output"; exit "$1" ;;
   no-performance) write_answer; rm "$base-condition-number.txt" ;;
   two-numbers) write_answer; echo "1 2" > "$base-condition-number.txt" ;;
   no-number) write_answer; : > "$base-condition-number.txt" ;;
