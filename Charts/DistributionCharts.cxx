@@ -260,6 +260,35 @@ void FinishDistribution(const ChartRequest& request, ChartPlot&& plot, ChartPict
   }
 }
 
+/** A bar for every bin that has a value. */
+void AddBins(
+  const Batch& batch, const AxisRange& range, int bins, int style, bool isPale, ChartPlot& plot)
+{
+  std::vector<ChartBar> bars(static_cast<std::size_t>(bins));
+  for (const auto& [place, row] : batch.Places)
+  {
+    bars[static_cast<std::size_t>(BinOf(place, range.Low, range.High, bins))].Rows.push_back(row);
+  }
+  for (std::size_t bin = 0; bin < bars.size(); ++bin)
+  {
+    ChartBar& bar = bars[bin];
+    const auto number = static_cast<int>(bin);
+    bar.Low[0] = plot.X.ValueAt(BinStart(number, range.Low, range.High, bins));
+    bar.High[0] = plot.X.ValueAt(BinStart(number + 1, range.Low, range.High, bins));
+    bar.Low[1] = 0.0;
+    bar.High[1] = static_cast<double>(bar.Rows.size());
+    bar.Style = style;
+    bar.Pale = isPale;
+    bar.Name = std::to_string(bar.Rows.size()) + " values from " + ReadableNumber(bar.Low[0]) +
+      " to " + ReadableNumber(bar.High[0]);
+    std::sort(bar.Rows.begin(), bar.Rows.end());
+    if (!bar.Rows.empty())
+    {
+      plot.Bars.push_back(std::move(bar));
+    }
+  }
+}
+
 } // namespace
 
 ChartPicture MakeBoxPlot(const ChartRequest& request)
@@ -334,29 +363,7 @@ ChartPicture MakeHistogram(const ChartRequest& request)
   {
     const Batch& batch = batches[i];
     const int style = static_cast<int>(i);
-    std::vector<ChartBar> bars(static_cast<std::size_t>(bins));
-    for (const auto& [place, row] : batch.Places)
-    {
-      bars[static_cast<std::size_t>(BinOf(place, range.Low, range.High, bins))].Rows.push_back(row);
-    }
-    for (std::size_t bin = 0; bin < bars.size(); ++bin)
-    {
-      ChartBar& bar = bars[bin];
-      const auto number = static_cast<int>(bin);
-      bar.Low[0] = plot.X.ValueAt(BinStart(number, range.Low, range.High, bins));
-      bar.High[0] = plot.X.ValueAt(BinStart(number + 1, range.Low, range.High, bins));
-      bar.Low[1] = 0.0;
-      bar.High[1] = static_cast<double>(bar.Rows.size());
-      bar.Style = style;
-      bar.Pale = batches.size() > 1;
-      bar.Name = std::to_string(bar.Rows.size()) + " values from " + ReadableNumber(bar.Low[0]) +
-        " to " + ReadableNumber(bar.High[0]);
-      std::sort(bar.Rows.begin(), bar.Rows.end());
-      if (!bar.Rows.empty())
-      {
-        plot.Bars.push_back(std::move(bar));
-      }
-    }
+    AddBins(batch, range, bins, style, batches.size() > 1, plot);
     if (batches.size() > 1)
     {
       plot.AllSeries.push_back(LegendSeries(!batch.Class.empty()

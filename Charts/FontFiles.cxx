@@ -4,9 +4,12 @@
 
 #include <fontconfig/fontconfig.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 namespace pemesh
 {
@@ -14,7 +17,14 @@ namespace pemesh
 namespace
 {
 
-std::string LookUp(const std::string& family, bool bold)
+/** What fontconfig, and therefore Cairo, takes for a family. */
+struct FontMatch
+{
+  std::string File;
+  std::vector<std::string> Families; // the names of the font
+};
+
+FontMatch LookUp(const std::string& family, bool bold)
 {
   FcPattern* pattern = FcPatternCreate();
   FcPatternAddString(pattern, FC_FAMILY, reinterpret_cast<const FcChar8*>(family.c_str()));
@@ -23,34 +33,66 @@ std::string LookUp(const std::string& family, bool bold)
   FcConfigSubstitute(nullptr, pattern, FcMatchPattern);
   FcDefaultSubstitute(pattern);
   FcResult result = FcResultNoMatch;
-  FcPattern* match = FcFontMatch(nullptr, pattern, &result);
-  FcChar8* file = nullptr;
-  std::string path;
-  if (match && FcPatternGetString(match, FC_FILE, 0, &file) == FcResultMatch)
+  FontMatch match;
+  if (FcPattern* found = FcFontMatch(nullptr, pattern, &result))
   {
-    path = reinterpret_cast<const char*>(file);
-  }
-  if (match)
-  {
-    FcPatternDestroy(match);
+    FcChar8* text = nullptr;
+    if (FcPatternGetString(found, FC_FILE, 0, &text) == FcResultMatch)
+    {
+      match.File = reinterpret_cast<const char*>(text);
+    }
+    for (int i = 0; FcPatternGetString(found, FC_FAMILY, i, &text) == FcResultMatch; ++i)
+    {
+      match.Families.emplace_back(reinterpret_cast<const char*>(text));
+    }
+    FcPatternDestroy(found);
   }
   FcPatternDestroy(pattern);
-  return path;
+  return match;
+}
+
+/** Looked up once for every family. */
+const FontMatch& Find(const std::string& family, bool bold)
+{
+  static std::mutex mutex;
+  static std::map<std::pair<std::string, bool>, FontMatch> known;
+  const std::scoped_lock lock(mutex);
+  const auto [place, isNew] = known.emplace(std::pair(family, bold), FontMatch());
+  if (isNew)
+  {
+    place->second = LookUp(family, bold);
+  }
+  return place->second;
+}
+
+bool IsSameName(const std::string& a, const std::string& b)
+{
+  return FcStrCmpIgnoreCase(reinterpret_cast<const FcChar8*>(a.c_str()),
+           reinterpret_cast<const FcChar8*>(b.c_str())) == 0;
 }
 
 } // namespace
 
 std::string FindFontFile(const std::string& family, bool bold)
 {
-  static std::mutex mutex;
-  static std::map<std::pair<std::string, bool>, std::string> known;
-  const std::scoped_lock lock(mutex);
-  const auto [place, isNew] = known.emplace(std::pair(family, bold), std::string());
-  if (isNew)
+  return Find(family, bold).File;
+}
+
+std::string WhyOtherFont(const std::string& family)
+{
+  constexpr std::array generic{ "sans", "sans-serif", "serif", "monospace", "mono", "cursive",
+    "fantasy", "system-ui" };
+  const std::vector<std::string>& families = Find(family, false).Families;
+  const auto isFamily = [&family](const std::string& name) { return IsSameName(name, family); };
+  if (std::any_of(families.begin(), families.end(), isFamily) ||
+    std::any_of(generic.begin(), generic.end(), isFamily))
   {
-    place->second = LookUp(family, bold);
+    return {};
   }
-  return place->second;
+  return "The font \"" + family + "\" is not installed" +
+    (families.empty() ? ": no text can be drawn"
+                      : ", so that text is drawn in \"" + families.front() + "\"") +
+    ": install it, or choose another font-family.";
 }
 
 } // namespace pemesh

@@ -7,6 +7,8 @@
 #ifndef pemesh_FontFiles_h
 #define pemesh_FontFiles_h
 
+#include "pemeshChartsModule.h" // For export macro
+
 #include <string>
 
 namespace pemesh
@@ -17,6 +19,12 @@ namespace pemesh
  * there is none. Looked up once for every family.
  */
 std::string FindFontFile(const std::string& family, bool bold);
+
+/**
+ * Empty where the family is installed, or stands for any of a kind ("sans", "serif", "monospace");
+ * else one sentence that says which is drawn in its place and what to do.
+ */
+PEMESHCHARTS_EXPORT std::string WhyOtherFont(const std::string& family);
 
 } // namespace pemesh
 

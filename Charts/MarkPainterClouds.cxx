@@ -5,6 +5,8 @@
 // under abstract rendering, IEEE Big Data 2013, 9-16, doi:10.1109/BigData.2013.6691712.
 #include "MarkPainter.h"
 
+#include "LineCells.h"
+
 #include <vtkContext2D.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -92,6 +94,21 @@ unsigned char OpacityOfCount(double points, double most)
   return static_cast<unsigned char>(std::lround(255.0 * (least + (1.0 - least) * part)));
 }
 
+ChartColor ColorOfValues(const CellSums& sums, const ColorScale& colors)
+{
+  return sums.Coloured > 0.0 ? MapColor(*colors.Map, sums.Place / sums.Coloured) : UndefinedColor;
+}
+
+ChartColor ColorOfClasses(const CellSums& sums)
+{
+  ChartColor mixed{ 0, 0, 0, 255 };
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    mixed[channel] = static_cast<unsigned char>(std::lround(sums.Mix[channel] / sums.Points));
+  }
+  return mixed;
+}
+
 } // namespace
 
 void MarkPainter::DrawMixedDensity()
@@ -144,18 +161,7 @@ void MarkPainter::DrawMixedDensity()
     {
       continue;
     }
-    if (byValue)
-    {
-      dots[i] = sums.Coloured > 0.0 ? MapColor(*this->Colors.Map, sums.Place / sums.Coloured)
-                                    : UndefinedColor;
-    }
-    else
-    {
-      for (std::size_t channel = 0; channel < 3; ++channel)
-      {
-        dots[i][channel] = static_cast<unsigned char>(std::lround(sums.Mix[channel] / sums.Points));
-      }
-    }
+    dots[i] = byValue ? ColorOfValues(sums, this->Colors) : ColorOfClasses(sums);
     dots[i][3] = OpacityOfCount(sums.Points, most);
   }
   this->DrawImage(dots, columns, rows);
@@ -164,7 +170,6 @@ void MarkPainter::DrawMixedDensity()
 bool MarkPainter::DrawTangle(const std::vector<float>& run, double width, const ChartColor& color)
 {
   constexpr std::size_t few = 10000; // points
-  constexpr double most = 1e7;       // cells that segments go through, in a frame
   const std::size_t count = run.size() / 2;
   double ways = 0.0;
   for (std::size_t i = 1; i < count; ++i)
@@ -179,36 +184,17 @@ bool MarkPainter::DrawTangle(const std::vector<float>& run, double width, const 
   const double cell = std::max(0.7 * width, 1.0);
   const int columns = std::max(1, static_cast<int>(area.Width / cell));
   const int rows = std::max(1, static_cast<int>(area.Height / cell));
-  std::vector<ChartColor> dots(
-    static_cast<std::size_t>(columns) * rows, ChartColor{ 255, 255, 255, 0 });
-  const double scaleX = columns / area.Width;
-  const double scaleY = rows / area.Height;
-  const auto mark = [&](double x, double y)
-  {
-    if (x >= 0.0 && y >= 0.0 && x < columns && y < rows)
-    {
-      dots[static_cast<std::size_t>(y) * columns + static_cast<std::size_t>(x)] = color;
-    }
-  };
-  // Of more segments than can be told apart some do: every point is marked all the same.
-  const auto stride = static_cast<std::size_t>(std::ceil(2.0 * ways * scaleX / most));
+  std::vector<float> points(run.size());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const double x = (run[2 * i] - area.X) * scaleX;
-    const double y = (run[2 * i + 1] - area.Y) * scaleY;
-    mark(x, y);
-    if (i + 1 == count || i % stride != 0)
-    {
-      continue;
-    }
-    const double dx = (run[2 * i + 2] - run[2 * i]) * scaleX;
-    const double dy = (run[2 * i + 3] - run[2 * i + 1]) * scaleY;
-    const double steps =
-      std::min(std::ceil(std::max(std::fabs(dx), std::fabs(dy))), 2.0 * (columns + rows));
-    for (double step = 1.0; step < steps; step += 1.0)
-    {
-      mark(x + dx * step / steps, y + dy * step / steps);
-    }
+    points[2 * i] = static_cast<float>((run[2 * i] - area.X) * columns / area.Width);
+    points[2 * i + 1] = static_cast<float>((run[2 * i + 1] - area.Y) * rows / area.Height);
+  }
+  const std::vector<unsigned char> marks = CellsOfLine(points, columns, rows);
+  std::vector<ChartColor> dots(marks.size(), ChartColor{ 255, 255, 255, 0 });
+  for (std::size_t i = 0; i < marks.size(); ++i)
+  {
+    dots[i] = marks[i] ? color : dots[i];
   }
   this->DrawImage(dots, columns, rows);
   return true;

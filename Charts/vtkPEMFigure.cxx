@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "vtkPEMFigure.h"
 
+#include "FontFiles.h"
 #include "PanelPainter.h"
 #include "TextFile.h"
 #include "vtkPEMCairoContextDevice2D.h"
@@ -14,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <stdexcept>
 
 vtkStandardNewMacro(vtkPEMFigure);
@@ -206,6 +208,22 @@ void vtkPEMFigure::Paint(vtkPEMCairoContextDevice2D* device)
   context->End();
 }
 
+void vtkPEMFigure::WarnOfFonts()
+{
+  std::set<std::string> families;
+  for (const auto& panel : this->Panels)
+  {
+    families.insert(panel->GetStyle().FontFamily);
+  }
+  for (const std::string& family : families)
+  {
+    if (const std::string reason = pemesh::WhyOtherFont(family); !reason.empty())
+    {
+      vtkWarningMacro(<< reason);
+    }
+  }
+}
+
 bool vtkPEMFigure::Write(const std::string& path)
 {
   this->ErrorMessage.clear();
@@ -241,6 +259,7 @@ bool vtkPEMFigure::Write(const std::string& path)
       throw std::runtime_error(device->GetErrorMessage());
     }
     pemesh::WriteTextFile(path, device->GetContents());
+    this->WarnOfFonts();
   }
   catch (const std::exception& error)
   {

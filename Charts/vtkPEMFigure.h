@@ -109,6 +109,7 @@ private:
   vtkPEMFigure(const vtkPEMFigure&) = delete;
   void operator=(const vtkPEMFigure&) = delete;
 
+  void WarnOfFonts();
   int GridColumns() const;
   int GridRows() const;
   double WidthInCentimeters() const;

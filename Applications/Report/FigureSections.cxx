@@ -205,7 +205,12 @@ Html HeatMap(const ReportContents& contents, const FigureFolder& folder)
 {
   constexpr std::size_t most = 8; // of either; more cannot be read
   StudyPlot plot = PlotOf("correlation-matrix", "", "");
-  plot.Y = contents.Performances();
+  plot.Y.clear();
+  for (const ReportMeasure& measure : contents.Measures())
+  {
+    // Of every solver, before the next performance.
+    plot.Y.insert(plot.Y.end(), measure.Columns.begin(), measure.Columns.end());
+  }
   std::erase_if(plot.Y,
     [&](const std::string& name)
     {
@@ -224,15 +229,47 @@ Html HeatMap(const ReportContents& contents, const FigureFolder& folder)
   const std::string& asked = contents.TheStudy.Statistics.Coefficient;
   const std::string method = asked == "distance" ? "spearman" : asked;
   plot.Options["method"] = method;
-  const std::string caption = "Coefficients (" + method + ") of the " +
-    std::to_string(metrics.size()) + " metrics that go best with the performances" +
-    (isPart ? ", of which the first " + std::to_string(most) + " are shown" : "");
+  const std::string caption = "Coefficients (" + method + ") of " +
+    (isPart ? "the first " + std::to_string(most) : "the") + " performances" + " and the " +
+    std::to_string(metrics.size()) + " metrics that go best with any";
   return EmbedPanel(folder, MakeResultChart(plot, contents.Results, contents.Labels),
     "Heat map of a matrix of correlation. " + caption + ".", caption, { 18.0, 15.0 });
 }
 
-/** The ranked list of one performance, whose rows of the findings begin at `row`. */
-Html RankedList(const ReportContents& contents, const FigureFolder& folder, vtkIdType row)
+/** The performances that have findings, those of one kind together, with their first rows. */
+std::vector<vtkIdType> RowsOfPerformances(const ReportContents& contents)
+{
+  std::vector<std::pair<std::string, vtkIdType>> found; // in the order of the findings
+  for (vtkIdType row = 0; row < contents.Findings->GetNumberOfRows(); ++row)
+  {
+    const std::string performance = TextAt(contents.Findings, row, "Performance");
+    const bool isNew = found.empty() || found.back().first != performance;
+    if (isNew && contents.Results->GetColumnByName(performance.c_str()))
+    {
+      found.emplace_back(performance, row);
+    }
+  }
+  Names order;
+  for (const ReportMeasure& measure : contents.Measures())
+  {
+    order.insert(order.end(), measure.Columns.begin(), measure.Columns.end());
+  }
+  const auto place = [&order](const auto& entry)
+  { return std::find(order.begin(), order.end(), entry.first) - order.begin(); };
+  std::stable_sort(found.begin(), found.end(),
+    [&place](const auto& a, const auto& b) { return place(a) < place(b); });
+  std::vector<vtkIdType> rows;
+  std::transform(found.begin(), found.end(), std::back_inserter(rows),
+    [](const auto& entry) { return entry.second; });
+  return rows;
+}
+
+/**
+ * The ranked list of one performance, whose rows of the findings begin at `row`; what is said of
+ * all metrics together is left out where it is what was said `before`.
+ */
+Html RankedList(
+  const ReportContents& contents, const FigureFolder& folder, vtkIdType row, std::string& before)
 {
   vtkTable* findings = contents.Findings;
   const std::string performance = TextAt(findings, row, "Performance");
@@ -267,7 +304,12 @@ Html RankedList(const ReportContents& contents, const FigureFolder& folder, vtkI
   {
     section += HtmlParagraph(std::to_string(more) + " more are in findings.csv.");
   }
-  return section + HtmlParagraph(joint) + Grid(scatters);
+  if (joint != before)
+  {
+    section += HtmlParagraph(joint);
+  }
+  before = joint;
+  return section + Grid(scatters);
 }
 
 } // namespace
@@ -347,15 +389,10 @@ Html MakeFindings(const ReportContents& contents, const FigureFolder& folder)
     section += HtmlElement("p", { { "class", "note" } }, HtmlText(contents.Note));
   }
   section += HeatMap(contents, folder);
-  std::string last;
-  for (vtkIdType row = 0; row < contents.Findings->GetNumberOfRows(); ++row)
+  std::string joint;
+  for (const vtkIdType row : RowsOfPerformances(contents))
   {
-    const std::string performance = TextAt(contents.Findings, row, "Performance");
-    if (performance != last && contents.Results->GetColumnByName(performance.c_str()))
-    {
-      section += RankedList(contents, folder, row);
-    }
-    last = performance;
+    section += RankedList(contents, folder, row, joint);
   }
   return section;
 }

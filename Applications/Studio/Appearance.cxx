@@ -3,8 +3,12 @@
 #include "Appearance.h"
 
 #include <QApplication>
+#include <QFont>
 #include <QPalette>
 #include <QStyleFactory>
+
+#include <cmath>
+#include <utility>
 
 namespace pemesh
 {
@@ -18,6 +22,7 @@ const Theme DarkTheme{ "#1d2126", "#262b31", "#1a1e22", "#e4e8ec", "#98a4b0", "#
   "#2b4258", "#f2a29c", "#4a2a2a", true };
 
 Theme Current = LightTheme;
+double Scale = 1.0; // of text
 
 /** Colours by name in place of @name. */
 QString StyleSheetOf(const Theme& theme)
@@ -42,10 +47,10 @@ QToolButton:disabled { color: @muted; }
 #leftPanel { background: @panel; border: 0; border-right: 1px solid @border; }
 #barAbove { background: @panel; border: 0; border-bottom: 1px solid @border; }
 #barBelow { background: @panel; border: 0; border-top: 1px solid @border; }
-#heading { font-weight: 600; font-size: 14px; }
+#heading { font-weight: 600; font-size: @size14; }
 #muted { color: @muted; }
-#emptyTitle { font-size: 20px; font-weight: 600; }
-#emptyText { color: @muted; font-size: 14px; }
+#emptyTitle { font-size: @size20; font-weight: 600; }
+#emptyText { color: @muted; font-size: @size14; }
 #fault { background: @dangersoft; color: @danger; border: 1px solid @danger; border-radius: 6px;
   padding: 6px 10px; }
 #primary { background: @accent; color: @onaccent; border: 0; border-radius: 6px;
@@ -96,6 +101,10 @@ QSlider::handle:horizontal:disabled { border-color: @border; }
   {
     sheet.replace(QLatin1String(name), color.name());
   }
+  for (const auto& [name, pixels] : { std::pair("@size14", 14.0), { "@size20", 20.0 } })
+  {
+    sheet.replace(QLatin1String(name), QStringLiteral("%1px").arg(std::lround(Scale * pixels)));
+  }
   return sheet;
 }
 
@@ -130,12 +139,22 @@ const Theme& CurrentTheme()
   return Current;
 }
 
-void ApplyTheme(QApplication& application, ThemeChoice choice)
+double TextScale()
 {
+  return Scale;
+}
+
+void ApplyTheme(QApplication& application, ThemeChoice choice, double textSize)
+{
+  static const QFont systemFont = QApplication::font();
   static const bool systemIsDark =
     QApplication::palette().color(QPalette::Window).lightnessF() < 0.5;
   const bool dark = choice == ThemeChoice::Dark || (choice == ThemeChoice::System && systemIsDark);
   Current = dark ? DarkTheme : LightTheme;
+  QFont font = systemFont;
+  Scale = textSize > 0.0 && font.pointSizeF() > 0.0 ? textSize / font.pointSizeF() : 1.0;
+  font.setPointSizeF(Scale * font.pointSizeF());
+  QApplication::setFont(font);
   application.setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
   application.setPalette(PaletteOf(Current));
   application.setStyleSheet(StyleSheetOf(Current));

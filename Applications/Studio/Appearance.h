@@ -35,8 +35,11 @@ enum class ThemeChoice
   Dark
 };
 
-/** Sets style, palette and style sheet of the application. */
-void ApplyTheme(QApplication& application, ThemeChoice choice);
+/** Sets style, palette and style sheet of the application; text in points, 0: as the system. */
+void ApplyTheme(QApplication& application, ThemeChoice choice, double textSize = 0.0);
+
+/** How much larger the text is than that of the system. */
+double TextScale();
 
 const Theme& CurrentTheme();
 

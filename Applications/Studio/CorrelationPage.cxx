@@ -317,8 +317,10 @@ void CorrelationPage::ShowFindings()
   const auto cell = [findings](vtkIdType row, const char* column)
   { return QString::fromStdString(findings->GetValueByName(row, column).ToString()); };
   QString performance;
+  QString joint; // in the first row of each performance
   for (vtkIdType row = 0; findings && row < findings->GetNumberOfRows(); ++row)
   {
+    joint = cell(row, "Joint").isEmpty() ? joint : cell(row, "Joint");
     const QString sentence = cell(row, "Sentence");
     const QString title = QString::fromStdString(
       this->Results->GetLabels()->Title(cell(row, "Performance").toStdString()));
@@ -332,7 +334,7 @@ void CorrelationPage::ShowFindings()
     {
       performance = cell(row, "Performance");
       this->AddWords(title, true);
-      this->AddWords(cell(row, "Joint"), false);
+      this->AddWords(joint, false);
     }
     auto* item =
       new QListWidgetItem(cell(row, "Rank") + QStringLiteral(". ") + sentence, this->Findings);

@@ -107,6 +107,20 @@ void GeometryPage::MakeBar(QToolBar* bar)
     this->ViewActions << action;
   }
   bar->addSeparator();
+  this->MakeMetricBoxes(bar);
+  this->MakeToggles(bar);
+  auto* space = new QWidget(bar);
+  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  bar->addWidget(space);
+  QAction* save = bar->addAction(MakeIcon("export"), tr("Export this view"));
+  connect(save, &QAction::triggered, this, &GeometryPage::Export);
+  this->Source = new QLabel(bar);
+  this->Source->setObjectName(QStringLiteral("muted"));
+  bar->addWidget(this->Source);
+}
+
+void GeometryPage::MakeMetricBoxes(QToolBar* bar)
+{
   this->Metric = new QComboBox(bar);
   this->Against = new QComboBox(bar);
   for (const pemesh::Metric& metric : Metrics())
@@ -138,6 +152,17 @@ void GeometryPage::MakeBar(QToolBar* bar)
     });
   label->setVisible(false);
   box->setVisible(false);
+  connect(this->Metric, &QComboBox::currentTextChanged, this,
+    [this](const QString& metric)
+    {
+      this->Selected->SetMetric(metric);
+      this->ShowMetric();
+    });
+  connect(this->Against, &QComboBox::currentTextChanged, this, &GeometryPage::ShowScatter);
+}
+
+void GeometryPage::MakeToggles(QToolBar* bar)
+{
   const auto addToggle = [this, bar](const char* icon, const QString& text, bool on)
   {
     QAction* action = bar->addAction(MakeIcon(icon), text);
@@ -152,21 +177,6 @@ void GeometryPage::MakeBar(QToolBar* bar)
   this->LogScale->setCheckable(true);
   this->LogScale->setToolTip(tr("Logarithmic colours"));
   connect(this->LogScale, &QAction::toggled, this, &GeometryPage::ShowMetric);
-  auto* space = new QWidget(bar);
-  space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  bar->addWidget(space);
-  QAction* save = bar->addAction(MakeIcon("export"), tr("Export this view"));
-  connect(save, &QAction::triggered, this, &GeometryPage::Export);
-  this->Source = new QLabel(bar);
-  this->Source->setObjectName(QStringLiteral("muted"));
-  bar->addWidget(this->Source);
-  connect(this->Metric, &QComboBox::currentTextChanged, this,
-    [this](const QString& metric)
-    {
-      this->Selected->SetMetric(metric);
-      this->ShowMetric();
-    });
-  connect(this->Against, &QComboBox::currentTextChanged, this, &GeometryPage::ShowScatter);
 }
 
 QWidget* GeometryPage::MakeViews()

@@ -61,6 +61,8 @@ protected:
 
 private:
   void MakeBar(QToolBar* bar);
+  void MakeMetricBoxes(QToolBar* bar);
+  void MakeToggles(QToolBar* bar);
   QWidget* MakeViews();
   QWidget* MakeSide();
   void ShowResults();

@@ -9,12 +9,22 @@
 #include <mutex>
 #include <thread>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 namespace pemesh
 {
 
 namespace
 {
 using Clock = std::chrono::steady_clock;
+
+/** This thread, and those that it starts, step back where there are more than processors. */
+void YieldToWindow()
+{
+  constexpr int niceness = 5;
+  setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness); // of a thread, on Linux
+}
 }
 
 struct LatestJob::Shared
@@ -70,6 +80,7 @@ void LatestJob::Start(Work work)
 
 void LatestJob::RunJobs()
 {
+  YieldToWindow();
   Shared& worker = *this->Worker;
   std::unique_lock lock(worker.Mutex);
   while (true)

@@ -18,11 +18,8 @@ namespace pemesh
 namespace
 {
 
-constexpr double KnobDistance = 26.0;   // pixels above the frame
-constexpr double FrameMargin = 7.0;     // pixels
 constexpr double StrokeTolerance = 2.5; // pixels that a drawn line may be simplified by
 constexpr double StrokeLength = 12.0;   // pixels from where a press becomes a stroke
-constexpr double GridPixels = 14.0;     // least distance of the lines of the grid
 constexpr double StepOfTurn = 15.0;     // degrees
 
 double Distance(const QPointF& a, const QPointF& b)
@@ -97,7 +94,7 @@ void LayoutCanvas::SetSelected(int polygon)
   if (this->Selected != polygon)
   {
     this->Selected = polygon;
-    if (this->Current.What != Grip::Stroke)
+    if (this->Current.What != LayoutGrip::Stroke)
     {
       this->Current = {}; // what was dragged is no longer what is selected
     }
@@ -112,44 +109,12 @@ void LayoutCanvas::SetHint(const QString& hint)
   this->update();
 }
 
-double LayoutCanvas::GetGridStep() const
-{
-  const double least = GridPixels / this->GetTransform().Scale;
-  const double power = std::pow(10.0, std::floor(std::log10(least)));
-  for (const double factor : { 1.0, 2.0, 5.0 })
-  {
-    if (factor * power >= least)
-    {
-      return factor * power;
-    }
-  }
-  return 10.0 * power;
-}
-
-/** To the decimal that is just finer than a pixel: numbers that a person can read. */
-double LayoutCanvas::RoundToPixel(double value) const
-{
-  const double decimals = std::clamp(std::ceil(std::log10(this->GetTransform().Scale)), 0.0, 15.0);
-  const double inverse = std::pow(10.0, decimals);
-  return std::round(value * inverse) / inverse;
-}
-
-QPolygonF LayoutCanvas::OnScreen(const std::vector<Point2>& points) const
-{
-  QPolygonF polygon;
-  for (const Point2& point : points)
-  {
-    polygon << this->GetTransform().ToScreen(point);
-  }
-  return polygon;
-}
-
 int LayoutCanvas::FindPolygon(const QPointF& position) const
 {
   for (int i = this->NumberOfPlaced() - 1; i >= 0; --i)
   {
     const auto& points = this->Outlines.Polygons[static_cast<std::size_t>(i)].Points;
-    if (this->OnScreen(points).containsPoint(position, Qt::OddEvenFill))
+    if (OnScreen(points, this->GetTransform()).containsPoint(position, Qt::OddEvenFill))
     {
       return i;
     }
@@ -164,39 +129,15 @@ QRectF LayoutCanvas::GetFrame() const
     return {};
   }
   const auto& points = this->Outlines.Polygons[static_cast<std::size_t>(this->Selected)].Points;
-  return this->OnScreen(points).boundingRect().adjusted(
-    -FrameMargin, -FrameMargin, FrameMargin, FrameMargin);
+  return FrameAround(points, this->GetTransform());
 }
 
-QPointF LayoutCanvas::GetKnob() const
+LayoutGrip LayoutCanvas::FindGrip(const QPointF& position) const
 {
-  const QRectF frame = this->GetFrame();
-  return { frame.center().x(), frame.top() - KnobDistance };
+  return pemesh::FindGrip(this->GetFrame(), position);
 }
 
-LayoutCanvas::Grip LayoutCanvas::FindGrip(const QPointF& position) const
-{
-  const QRectF frame = this->GetFrame();
-  if (!frame.isValid())
-  {
-    return Grip::None;
-  }
-  if (Distance(position, this->GetKnob()) < GripSize)
-  {
-    return Grip::Turn;
-  }
-  for (const QPointF& corner :
-    { frame.topLeft(), frame.topRight(), frame.bottomLeft(), frame.bottomRight() })
-  {
-    if (Distance(position, corner) < GripSize)
-    {
-      return Grip::Scale;
-    }
-  }
-  return Grip::None;
-}
-
-void LayoutCanvas::BeginDrag(Grip grip, const QPointF& position)
+void LayoutCanvas::BeginDrag(LayoutGrip grip, const QPointF& position)
 {
   const StudyPolygon& polygon =
     this->Model->GetStudy().Polygons[static_cast<std::size_t>(this->Selected)];
@@ -208,8 +149,9 @@ void LayoutCanvas::SetCenter(const Point2& center, int gesture)
 {
   const auto place = [this](double value)
   {
-    const double step = this->GetGridStep();
-    return this->RoundToPixel(this->Snapping ? std::round(value / step) * step : value);
+    const double step = GridStepOf(this->GetTransform());
+    return RoundToPixel(
+      this->Snapping ? std::round(value / step) * step : value, this->GetTransform());
   };
   this->Model->SetValue(PathOf(this->Selected, "center"),
     { JsonValue::List{ JsonNumber(place(center.x)), JsonNumber(place(center.y)) } },
@@ -220,19 +162,19 @@ void LayoutCanvas::ContinueDrag(const QPointF& position, bool inSteps)
 {
   const Drag& drag = this->Current;
   const QPointF center = this->GetTransform().ToScreen(drag.Center);
-  if (drag.What == Grip::Move)
+  if (drag.What == LayoutGrip::Move)
   {
     const QPointF moved = (position - drag.From) / this->GetTransform().Scale;
     this->SetCenter({ drag.Center.x + moved.x(), drag.Center.y - moved.y() }, drag.Gesture);
   }
-  else if (drag.What == Grip::Scale)
+  else if (drag.What == LayoutGrip::Scale)
   {
     const double factor = Distance(position, center) / std::max(1.0, Distance(drag.From, center));
     const double scale = std::round(drag.Scale * std::max(factor, 0.01) * 1000.0) / 1000.0;
     this->Model->SetValue(PathOf(this->Selected, "scale"), JsonNumber(std::max(scale, 0.001)),
       tr("Scale polygon"), drag.Gesture);
   }
-  else if (drag.What == Grip::Turn)
+  else if (drag.What == LayoutGrip::Turn)
   {
     const auto angle = [&center](const QPointF& at)
     { return std::atan2(center.y() - at.y(), at.x() - center.x()) * 180.0 / std::numbers::pi; };
@@ -254,7 +196,7 @@ void LayoutCanvas::FinishDrawing(bool isStroke)
   }
   const double tolerance = isStroke ? StrokeTolerance / this->GetTransform().Scale : 0.0;
   const DrawnPolygon drawn =
-    PolygonOfStroke(line, tolerance, this->Snapping ? this->GetGridStep() : 0.0);
+    PolygonOfStroke(line, tolerance, this->Snapping ? GridStepOf(this->GetTransform()) : 0.0);
   if (!drawn.Fault.empty())
   {
     emit this->Faulty(QString::fromStdString(drawn.Fault));
@@ -263,7 +205,8 @@ void LayoutCanvas::FinishDrawing(bool isStroke)
   std::vector<Point2> points;
   for (const Point2& point : drawn.Points)
   {
-    points.push_back({ this->RoundToPixel(point.x), this->RoundToPixel(point.y) });
+    points.push_back(
+      { RoundToPixel(point.x, this->GetTransform()), RoundToPixel(point.y, this->GetTransform()) });
   }
   this->SetTool(Tool::Select);
   emit this->Drawn(points);
@@ -288,12 +231,12 @@ void LayoutCanvas::mousePressEvent(QMouseEvent* event)
       return;
     }
     this->Line.push_back(point);
-    this->Current = { Grip::Stroke, 0, event->position(), {}, 1.0, 0.0 };
+    this->Current = { LayoutGrip::Stroke, 0, event->position(), {}, 1.0, 0.0 };
     this->update();
     return;
   }
-  const Grip grip = this->FindGrip(event->position());
-  if (grip != Grip::None)
+  const LayoutGrip grip = this->FindGrip(event->position());
+  if (grip != LayoutGrip::None)
   {
     this->BeginDrag(grip, event->position());
     return;
@@ -301,7 +244,7 @@ void LayoutCanvas::mousePressEvent(QMouseEvent* event)
   this->SetSelected(this->FindPolygon(event->position()));
   if (this->Selected >= 0)
   {
-    this->BeginDrag(Grip::Move, event->position());
+    this->BeginDrag(LayoutGrip::Move, event->position());
   }
 }
 
@@ -312,7 +255,7 @@ void LayoutCanvas::mouseMoveEvent(QMouseEvent* event)
   if (this->CurrentTool == Tool::Draw)
   {
     const bool isStroke = (event->buttons() & Qt::LeftButton) &&
-      this->Current.What == Grip::Stroke &&
+      this->Current.What == LayoutGrip::Stroke &&
       (this->Line.size() > 1 || Distance(event->position(), this->Current.From) > StrokeLength / 3);
     if (isStroke && this->Current.Gesture >= 0)
     {
@@ -321,7 +264,7 @@ void LayoutCanvas::mouseMoveEvent(QMouseEvent* event)
     }
     this->update();
   }
-  else if (this->Current.What != Grip::None)
+  else if (this->Current.What != LayoutGrip::None)
   {
     this->ContinueDrag(event->position(), event->modifiers() & Qt::ShiftModifier);
   }
@@ -338,7 +281,7 @@ void LayoutCanvas::mouseReleaseEvent(QMouseEvent* event)
   {
     return;
   }
-  const bool wasStroke = this->Current.What == Grip::Stroke && this->Current.Gesture > 0;
+  const bool wasStroke = this->Current.What == LayoutGrip::Stroke && this->Current.Gesture > 0;
   this->Current = {};
   if (wasStroke)
   {
@@ -375,12 +318,36 @@ void LayoutCanvas::keyPressEvent(QKeyEvent* event)
   {
     const auto& center =
       this->Model->GetStudy().Polygons[static_cast<std::size_t>(this->Selected)].Center;
-    const double step = this->Snapping ? this->GetGridStep() : 4.0 / this->GetTransform().Scale;
+    const double step =
+      this->Snapping ? GridStepOf(this->GetTransform()) : 4.0 / this->GetTransform().Scale;
     this->SetCenter({ center[0] + arrow.x() * step, center[1] + arrow.y() * step }, 0);
   }
   else
   {
     PlaneView::keyPressEvent(event);
+  }
+}
+
+void LayoutCanvas::PaintAbove(QPainter& painter)
+{
+  const PlaneTransform& transform = this->GetTransform();
+  if (this->Snapping)
+  {
+    PaintGrid(painter, transform, this->size());
+  }
+  PaintOutlines(painter, transform, this->Outlines, this->Hovered);
+  if (this->CurrentTool == Tool::Select)
+  {
+    PaintFrame(painter, this->GetFrame());
+  }
+  else if (!this->Line.empty())
+  {
+    const bool isStroke = this->Current.What == LayoutGrip::Stroke && this->Current.Gesture > 0;
+    PaintDrawing(painter, OnScreen(this->Line, transform), isStroke, this->Pointer);
+  }
+  if (!this->Hint.isEmpty() && this->Line.empty())
+  {
+    PaintHint(painter, this->rect(), this->Hint);
   }
 }
 
@@ -397,8 +364,8 @@ void LayoutCanvas::UpdateCursor(const QPointF& position)
     this->setCursor(Qt::CrossCursor);
     return;
   }
-  const Grip grip = this->FindGrip(position);
-  const int hovered = grip == Grip::None ? this->FindPolygon(position) : -1;
+  const LayoutGrip grip = this->FindGrip(position);
+  const int hovered = grip == LayoutGrip::None ? this->FindPolygon(position) : -1;
   if (this->Hovered != hovered)
   {
     this->Hovered = hovered;
@@ -407,10 +374,10 @@ void LayoutCanvas::UpdateCursor(const QPointF& position)
         : QString::fromStdString(this->Outlines.Polygons[static_cast<std::size_t>(hovered)].Name));
     this->update();
   }
-  this->setCursor(grip == Grip::Scale ? Qt::SizeFDiagCursor
-      : grip == Grip::Turn            ? Qt::PointingHandCursor
-      : hovered >= 0                  ? Qt::SizeAllCursor
-                                      : Qt::ArrowCursor);
+  this->setCursor(grip == LayoutGrip::Scale ? Qt::SizeFDiagCursor
+      : grip == LayoutGrip::Turn            ? Qt::PointingHandCursor
+      : hovered >= 0                        ? Qt::SizeAllCursor
+                                            : Qt::ArrowCursor);
 }
 
 } // namespace pemesh

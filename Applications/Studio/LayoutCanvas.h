@@ -12,8 +12,7 @@
 #ifndef pemesh_LayoutCanvas_h
 #define pemesh_LayoutCanvas_h
 
-#include "PlaneView.h"
-#include "StudyOutlines.h"
+#include "LayoutMarks.h"
 
 #include <optional>
 #include <vector>
@@ -43,9 +42,6 @@ public:
   /** Told where there is nothing to show. */
   void SetHint(const QString& hint);
 
-  /** Distance of the lines of the grid, a round number of some ten pixels. */
-  double GetGridStep() const;
-
 signals:
   void SelectionChanged(int polygon);
   /** A polygon was drawn; its corners counter-clockwise. */
@@ -63,18 +59,10 @@ protected:
   void leaveEvent(QEvent* event) override;
 
 private:
-  enum class Grip
-  {
-    None,
-    Move,
-    Scale,
-    Turn,
-    Stroke
-  };
   /** What is dragged, and how it was when the drag began. */
   struct Drag
   {
-    Grip What = Grip::None;
+    LayoutGrip What = LayoutGrip::None;
     int Gesture = 0;
     QPointF From;
     Point2 Center;
@@ -82,26 +70,17 @@ private:
     double Rotation = 0.0;
   };
 
-  static constexpr double GripSize = 9.0; // pixels
-
   int NumberInStudy() const;
   int NumberOfPlaced() const; // those that have an outline yet
   int FindPolygon(const QPointF& position) const;
-  QPolygonF OnScreen(const std::vector<Point2>& points) const;
   /** Around the selected polygon; empty if there is none. */
   QRectF GetFrame() const;
-  QPointF GetKnob() const;
-  Grip FindGrip(const QPointF& position) const;
-  void BeginDrag(Grip grip, const QPointF& position);
+  LayoutGrip FindGrip(const QPointF& position) const;
+  void BeginDrag(LayoutGrip grip, const QPointF& position);
   void ContinueDrag(const QPointF& position, bool inSteps);
   void SetCenter(const Point2& center, int gesture);
-  double RoundToPixel(double value) const;
   void FinishDrawing(bool isStroke);
   void UpdateCursor(const QPointF& position);
-  void PaintGrid(QPainter& painter) const;
-  void PaintPolygons(QPainter& painter) const;
-  void PaintFrame(QPainter& painter) const;
-  void PaintDrawing(QPainter& painter) const;
 
   StudyModel* Model;
   StudyOutlines Outlines;

@@ -27,6 +27,7 @@
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <vtkPolyData.h>
@@ -283,7 +284,20 @@ QWidget* MeshPage::MakeRight()
   this->Tabs->addTab(
     this->MakeOptions({ { "domain", tr("Domain") }, { "mesh", tr("Mesh") } }), tr("Mesh"));
   this->Tabs->addTab(this->MakeOptions({ { "sweep[0]", tr("Sweep") } }), tr("Series"));
+  this->RunButton = new QToolButton(panel);
+  this->RunButton->setObjectName(QStringLiteral("primary"));
+  this->RunButton->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  this->RunButton->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  auto* below = new QHBoxLayout;
+  below->setContentsMargins(14, 8, 14, 12);
+  below->addWidget(this->RunButton);
+  layout->addLayout(below);
   return panel;
+}
+
+void MeshPage::SetRunAction(QAction* action)
+{
+  this->RunButton->setDefaultAction(action);
 }
 
 void MeshPage::AddPolygon(const QString& family)

@@ -15,6 +15,7 @@ class QStackedWidget;
 class QTableView;
 class QTabWidget;
 class QToolBar;
+class QToolButton;
 
 namespace pemesh
 {
@@ -36,6 +37,8 @@ public:
   void AddPolygonFile(const QString& file);
   /** For the menu: what is done with the selected polygon. */
   QList<QAction*> GetEditActions() const { return this->EditActions; }
+  /** What the button below the options does: runs the solver. */
+  void SetRunAction(QAction* action);
 
 signals:
   /** One line for the status bar. */
@@ -75,6 +78,7 @@ private:
   OptionForm* PolygonForm = nullptr;
   QStackedWidget* FormStack = nullptr;
   QToolBar* Tools = nullptr;
+  QToolButton* RunButton = nullptr;
   QList<QAction*> EditActions;
 };
 

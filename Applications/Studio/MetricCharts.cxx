@@ -74,6 +74,12 @@ MetricCharts::MetricCharts(ResultSet* results, Selection* selection, QWidget* pa
   this->View->SetFontSize(ChartFont);
   this->View->setAccessibleName(tr("Charts of all metrics"));
   this->ShowOrders();
+  this->Connect();
+  this->Show();
+}
+
+void MetricCharts::Connect()
+{
   connect(this->Order, &QComboBox::currentIndexChanged, this, &MetricCharts::Show);
   connect(this->View, &PanelView::DoubleClicked, this, &MetricCharts::Detach);
   connect(this->View, &PanelView::RowsSelected, this,
@@ -95,9 +101,9 @@ MetricCharts::MetricCharts(ResultSet* results, Selection* selection, QWidget* pa
       }
       this->Selected->SetMetric(this->Results->GetMetrics().value(panel));
     });
-  connect(results, &ResultSet::Changed, this, &MetricCharts::Show);
-  connect(selection, &Selection::CasesMarked, this, &MetricCharts::ShowMarks);
-  connect(selection, &Selection::MetricChanged, this,
+  connect(this->Results, &ResultSet::Changed, this, &MetricCharts::Show);
+  connect(this->Selected, &Selection::CasesMarked, this, &MetricCharts::ShowMarks);
+  connect(this->Selected, &Selection::MetricChanged, this,
     [this]
     {
       this->ShowOrders();
@@ -106,7 +112,6 @@ MetricCharts::MetricCharts(ResultSet* results, Selection* selection, QWidget* pa
         this->Show();
       }
     });
-  this->Show();
 }
 
 void MetricCharts::ShowOrders()

@@ -43,6 +43,7 @@ signals:
 
 private:
   void Show();
+  void Connect();
   void ShowOrders();
   void ShowMarks();
   void Detach(int panel);

@@ -288,6 +288,11 @@ void OptionForm::Choose(const FormField& field, const std::string& choice)
   try
   {
     const JsonValue chosen = ChooseInDocument(this->Model->GetDocument(), field.Path, choice);
+    if (!HasPath(chosen, field.Path)) // which no table knows
+    {
+      this->Model->SetValue(field.Path, { choice }, text);
+      return;
+    }
     this->Model->SetValue(OwnerOf(field.Path), *FindAtPath(chosen, OwnerOf(field.Path)), text);
   }
   catch (const std::exception&) // the document was wrong before: it says so itself

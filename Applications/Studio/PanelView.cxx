@@ -4,8 +4,8 @@
 
 #include "Appearance.h"
 #include "LatestJob.h"
-#include "StyleDialog.h"
-#include "vtkPEMFigure.h"
+#include "PanelExport.h"
+#include "PlotStyle.h"
 #include "vtkPEMPanel.h"
 
 #include <QContextMenuEvent>
@@ -17,10 +17,6 @@
 #include <QToolTip>
 
 #include <cmath>
-
-#include <vtkCallbackCommand.h>
-#include <vtkCommand.h>
-#include <vtkNew.h>
 
 namespace pemesh
 {
@@ -49,6 +45,7 @@ ChartStyle ScreenStyle()
 PanelView::PanelView(QWidget* parent)
   : QWidget(parent)
   , PaintJob(new LatestJob(this, 1000))
+  , ExportJob(new LatestJob(this, 600000))
   , Band(new QRubberBand(QRubberBand::Rectangle, this))
 {
   this->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -60,6 +57,7 @@ PanelView::PanelView(QWidget* parent)
 PanelView::~PanelView()
 {
   delete this->PaintJob;
+  delete this->ExportJob;
 }
 
 void PanelView::SetMaker(Maker maker, int columns)
@@ -134,8 +132,8 @@ void PanelView::Request()
     this->update();
     return;
   }
-  const PanelLayout layout{ this->size(), this->devicePixelRatioF(), this->FontSize, this->Columns,
-    ScreenStyle() };
+  const PanelLayout layout{ this->size(), this->devicePixelRatioF(), TextScale() * this->FontSize,
+    this->Columns, ScreenStyle() };
   this->PaintJob->Start(
     [this, scene = this->Scene, layout](const std::atomic<bool>&) -> LatestJob::Delivery
     {
@@ -189,38 +187,46 @@ void PanelView::Change(
   this->Request();
 }
 
+std::function<QString()> PanelView::MakeExport(const QString& file, int panel) const
+{
+  return [make = this->MakePanels, file, panel, columns = panel < 0 ? this->Columns : 1,
+           style = LoadPlotStyle()]
+  {
+    PanelList panels = make();
+    if (panel >= 0 && panel < static_cast<int>(panels.size()))
+    {
+      panels = { panels[static_cast<std::size_t>(panel)] };
+    }
+    return WritePanels(panels, columns, style, file);
+  };
+}
+
 QString PanelView::Export(const QString& file, int panel) const
 {
-  if (!this->MakePanels)
-  {
-    return tr("There is nothing to export.");
-  }
-  vtkNew<vtkPEMFigure> figure;
-  vtkNew<vtkCallbackCommand> quiet; // the sentence is in GetErrorMessage
-  figure->AddObserver(vtkCommand::ErrorEvent, quiet);
-  const PanelList panels = this->MakePanels();
-  for (std::size_t i = 0; i < panels.size(); ++i)
-  {
-    if (panel < 0 || static_cast<int>(i) == panel)
-    {
-      panels[i]->SetStyle(LoadPlotStyle());
-      figure->AddPanel(panels[i]);
-    }
-  }
-  figure->SetColumns(panel < 0 ? this->Columns : 1);
-  return figure->Write(file.toStdString()) ? QString()
-                                           : QString::fromStdString(figure->GetErrorMessage());
+  return this->MakePanels ? this->MakeExport(file, panel)() : tr("There is nothing to export.");
 }
 
 void PanelView::ExportAs(int panel)
 {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Export figure"),
-    QStringLiteral("figure.pdf"), tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png)"));
-  const QString fault = file.isEmpty() ? QString() : this->Export(file, panel);
-  if (!fault.isEmpty())
+  const QString file =
+    QFileDialog::getSaveFileName(this, tr("Export figure"), QStringLiteral("figure.pdf"),
+      tr("PDF (*.pdf);;SVG (*.svg);;PNG (*.png);;Numbers of the figure (*.csv)"));
+  if (file.isEmpty() || !this->MakePanels)
   {
-    QMessageBox::warning(this, tr("Export figure"), fault);
+    return;
   }
+  this->ExportJob->Start(
+    [this, write = this->MakeExport(file, panel)](const std::atomic<bool>&) -> LatestJob::Delivery
+    {
+      const QString fault = write();
+      return [this, fault]
+      {
+        if (!fault.isEmpty())
+        {
+          QMessageBox::warning(this, tr("Export figure"), fault);
+        }
+      };
+    });
 }
 
 void PanelView::paintEvent(QPaintEvent*)

@@ -57,9 +57,9 @@ public:
   bool IsBusy() const;
 
   ///@{
-  /** Writes all panels, or one, as PNG, SVG or PDF. Answers with a fault or "". */
+  /** Writes all panels, or one, as PNG, SVG, PDF or, their numbers, as CSV. A fault or "". */
   QString Export(const QString& file, int panel = -1) const;
-  /** Asks for a file first. */
+  /** Asks for a file first, and writes it in a worker. */
   void ExportAs(int panel = -1);
   ///@}
 
@@ -87,6 +87,7 @@ protected:
 
 private:
   void Request();
+  std::function<QString()> MakeExport(const QString& file, int panel) const;
   /** A change of the panel at a place, or of all at the same place in each. */
   void Change(const QPointF& position,
     const std::function<void(vtkPEMPanel* panel, double x, double y)>& change);
@@ -100,6 +101,7 @@ private:
   QString Hint;
   PaintedPanels Painted;
   LatestJob* PaintJob;
+  LatestJob* ExportJob;
   QRubberBand* Band;
   QPointF PressedAt;
   QPointF LastAt;

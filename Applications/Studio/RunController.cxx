@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "RunController.h"
 
+#include "Preferences.h"
 #include "vtkPEMRunner.h"
 
 #include <atomic>
@@ -166,6 +167,7 @@ void RunController::Start(const RunRequest& request)
   run->Runner->SetSelectedCases(request.Cases);
   run->Runner->SetOutputDirectory(WorkFolderOf(run->Output).string());
   run->Runner->SetResume(request.Continues);
+  run->Runner->SetNumberOfWorkers(GetPreference(WorkersPreference));
   run->Observe(vtkCommand::ProgressEvent,
     [](vtkObject*, unsigned long, void* client, void* data)
     {

@@ -3,6 +3,7 @@
 #include "Session.h"
 
 #include "MeshFormats.h"
+#include "Preferences.h"
 #include "StudyModel.h"
 #include "TextFile.h"
 
@@ -24,8 +25,6 @@ namespace pemesh
 namespace
 {
 
-constexpr int AutosaveMilliseconds = 3000;
-constexpr int MostRecent = 10;
 constexpr const char* RecentKey = "recentFiles";
 
 /** A lock that belongs to a program that has ended, on this machine; null if it still runs. */
@@ -51,9 +50,9 @@ Session::Session(StudyModel* model, QWidget* window)
   , Identity(QUuid::createUuid().toString(QUuid::Id128))
 {
   this->AutosaveTimer->setSingleShot(true);
-  this->AutosaveTimer->setInterval(AutosaveMilliseconds);
   connect(this->AutosaveTimer, &QTimer::timeout, this, &Session::Autosave);
-  connect(model, &StudyModel::Changed, this, [this] { this->AutosaveTimer->start(); });
+  connect(model, &StudyModel::Changed, this,
+    [this] { this->AutosaveTimer->start(1000 * GetPreference(AutosavePreference)); });
 }
 
 Session::~Session()
@@ -274,13 +273,16 @@ void Session::Remember(const QString& file)
   QStringList files = settings.value(QLatin1String(RecentKey)).toStringList();
   files.removeAll(file);
   files.prepend(file);
-  settings.setValue(QLatin1String(RecentKey), files.mid(0, MostRecent));
+  settings.setValue(QLatin1String(RecentKey), files.mid(0, GetPreference(RecentPreference)));
 }
 
 void Session::FillRecentMenu(QMenu* menu)
 {
   menu->clear();
-  const QStringList files = QSettings().value(QLatin1String(RecentKey)).toStringList();
+  const QStringList files = QSettings()
+                              .value(QLatin1String(RecentKey))
+                              .toStringList()
+                              .mid(0, GetPreference(RecentPreference));
   for (const QString& file : files)
   {
     QAction* action = menu->addAction(

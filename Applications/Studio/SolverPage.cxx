@@ -80,19 +80,9 @@ SolverPage::SolverPage(StudyModel* model, ResultSet* results, RunController* con
   this->ShowResults();
 }
 
-QWidget* SolverPage::MakeLeft()
+/** Which solvers there are, to add one and to remove one. */
+QBoxLayout* SolverPage::MakeSolverLine(QWidget* panel)
 {
-  auto* panel = new QFrame(this);
-  panel->setObjectName(QStringLiteral("leftPanel"));
-  panel->setMinimumWidth(300);
-  auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(14, 12, 14, 14);
-  layout->setSpacing(8);
-  layout->addWidget(MakeHeading(tr("Solvers"), panel));
-  this->Runs = new QListWidget(panel);
-  this->Runs->setMaximumHeight(130);
-  this->Runs->setAccessibleName(tr("Runs of solvers"));
-  layout->addWidget(this->Runs);
   auto* line = new QHBoxLayout;
   this->Known = new QComboBox(panel);
   this->Known->setAccessibleName(tr("Known solvers"));
@@ -141,7 +131,23 @@ QWidget* SolverPage::MakeLeft()
   line->addWidget(add);
   line->addWidget(file);
   line->addWidget(remove);
-  layout->addLayout(line);
+  return line;
+}
+
+QWidget* SolverPage::MakeLeft()
+{
+  auto* panel = new QFrame(this);
+  panel->setObjectName(QStringLiteral("leftPanel"));
+  panel->setMinimumWidth(300);
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(14, 12, 14, 14);
+  layout->setSpacing(8);
+  layout->addWidget(MakeHeading(tr("Solvers"), panel));
+  this->Runs = new QListWidget(panel);
+  this->Runs->setMaximumHeight(130);
+  this->Runs->setAccessibleName(tr("Runs of solvers"));
+  layout->addWidget(this->Runs);
+  layout->addLayout(this->MakeSolverLine(panel));
   this->Form = new OptionForm(this->Model, panel);
   this->Form->SetHiddenKeys({ "version" });
   this->Form->SetOtherFields([this] { return this->DescribeOptions(this->Runs->currentRow()); });
@@ -159,26 +165,8 @@ QWidget* SolverPage::MakeLeft()
   return panel;
 }
 
-QWidget* SolverPage::MakeRight()
+void SolverPage::MakeViews()
 {
-  auto* panel = new QWidget(this);
-  auto* layout = new QVBoxLayout(panel);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  this->Tabs = new QTabWidget(panel);
-  this->Tabs->setDocumentMode(true);
-  this->Shown = new QComboBox(this->Tabs);
-  this->Shown->setAccessibleName(tr("Run that is shown"));
-  auto* corner = new QWidget(this->Tabs);
-  auto* line = new QHBoxLayout(corner);
-  line->setContentsMargins(0, 2, 8, 2);
-  this->Surfaces = new QToolButton(corner);
-  this->Surfaces->setText(tr("Surfaces …"));
-  this->Surfaces->setToolTip(tr("Solution and ground truth as surfaces, in a window of their own"));
-  line->addWidget(this->Shown);
-  line->addWidget(this->Surfaces);
-  this->Tabs->setCornerWidget(corner);
-  connect(this->Surfaces, &QToolButton::clicked, this, &SolverPage::ShowSurfaces);
   this->Solutions = new PanelView(this->Tabs);
   this->Solutions->SetHint(tr("Add a solver and run the study: the solution, the ground truth and "
                               "the error of each mesh are shown here."));
@@ -209,6 +197,29 @@ QWidget* SolverPage::MakeRight()
   this->Charts->SetHint(
     tr("Run the study with a solver: its performances over the meshes are shown "
        "here."));
+}
+
+QWidget* SolverPage::MakeRight()
+{
+  auto* panel = new QWidget(this);
+  auto* layout = new QVBoxLayout(panel);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  this->Tabs = new QTabWidget(panel);
+  this->Tabs->setDocumentMode(true);
+  this->Shown = new QComboBox(this->Tabs);
+  this->Shown->setAccessibleName(tr("Run that is shown"));
+  auto* corner = new QWidget(this->Tabs);
+  auto* line = new QHBoxLayout(corner);
+  line->setContentsMargins(0, 2, 8, 2);
+  this->Surfaces = new QToolButton(corner);
+  this->Surfaces->setText(tr("Surfaces …"));
+  this->Surfaces->setToolTip(tr("Solution and ground truth as surfaces, in a window of their own"));
+  line->addWidget(this->Shown);
+  line->addWidget(this->Surfaces);
+  this->Tabs->setCornerWidget(corner);
+  connect(this->Surfaces, &QToolButton::clicked, this, &SolverPage::ShowSurfaces);
+  this->MakeViews();
   this->Failures = new FailureList(this->Results, this->Selected, this->Tabs);
   this->Tabs->addTab(this->Solutions, tr("Solution"));
   auto* scroll = new QScrollArea(this->Tabs);
@@ -271,7 +282,9 @@ std::vector<FormField> SolverPage::DescribeOptions(int run) const
       const bool isNumber = option.Type == "integer" || option.Type == "number";
       field.Form.Kind = option.Type == "integer" ? ValueForm::Integer
         : isNumber                               ? ValueForm::Number
-                                                 : ValueForm::Text;
+        : option.Choices.empty()                 ? ValueForm::Text
+                                                 : ValueForm::Choice;
+      field.Form.Choices = option.Choices;
       field.Value = isNumber ? ParseJson(value, option.Name) : JsonValue{ value };
       fields.push_back(field);
     }

@@ -9,6 +9,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QComboBox;
 class QListWidget;
 class QTabWidget;
@@ -49,7 +50,9 @@ signals:
 
 private:
   QWidget* MakeLeft();
+  QBoxLayout* MakeSolverLine(QWidget* panel);
   QWidget* MakeRight();
+  void MakeViews();
   void ShowRuns();
   void ShowResults();
   void ShowCase(int index);

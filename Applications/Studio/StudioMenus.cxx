@@ -1,18 +1,21 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menus of the window.
-#include "StudioWindow.h"
+#include "StudioMenus.h"
 
-#include "Appearance.h"
 #include "Icons.h"
 #include "LogDock.h"
 #include "MeshFormats.h"
 #include "MeshPage.h"
 #include "MetricRegistry.h"
 #include "PanelView.h"
+#include "PlotStyle.h"
 #include "PolygonTable.h"
+#include "Preferences.h"
+#include "PreferencesDialog.h"
 #include "ResultSet.h"
+#include "RunDesk.h"
 #include "Session.h"
+#include "StudioWindow.h"
 #include "StudyFile.h"
 #include "StudyModel.h"
 #include "StudyPreview.h"
@@ -25,7 +28,6 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
-#include <QSettings>
 #include <QTextBrowser>
 
 #include <vtkPolyData.h>
@@ -53,7 +55,25 @@ QString DescribeMetricsInMarkdown()
 
 } // namespace
 
-QAction* StudioWindow::AddAction(
+StudioMenus::StudioMenus(StudioWindow* window, const SharedActions& shared)
+  : QObject(window)
+  , Window(window)
+{
+  this->MakeFileMenu(shared.Save);
+  this->MakeEditMenu(shared);
+  this->MakeViewMenu();
+  this->MakeRunMenu();
+  this->MakeHelpMenu();
+  connect(window->GetModel(), &StudyModel::Changed, this, &StudioMenus::UseStyleOfStudy);
+  this->UseStyleOfStudy();
+}
+
+QMenu* StudioMenus::AddMenu(const QString& title)
+{
+  return this->Window->menuBar()->addMenu(title);
+}
+
+QAction* StudioMenus::AddAction(
   QMenu* menu, const char* icon, const QString& text, const QKeySequence& key)
 {
   QAction* action = menu->addAction(MakeIcon(icon), text);
@@ -61,84 +81,97 @@ QAction* StudioWindow::AddAction(
   return action;
 }
 
-void StudioWindow::MakeMenus()
+void StudioMenus::MakeEditMenu(const SharedActions& shared)
 {
-  this->MakeFileMenu();
-  QMenu* edit = this->menuBar()->addMenu(tr("&Edit"));
-  edit->addAction(this->UndoAction);
-  edit->addAction(this->RedoAction);
-  edit->addSeparator();
-  edit->addActions(this->Meshes->GetEditActions());
-  this->MakeViewMenu();
-  QMenu* run = this->menuBar()->addMenu(tr("&Run"));
-  run->addAction(this->RunAction);
-  connect(this->AddAction(run, "solver", tr("Run with the default &solver"), {}),
-    &QAction::triggered, this, &StudioWindow::RunWithSolver);
-  run->addAction(this->RunSomeAction);
-  run->addSeparator();
-  run->addAction(this->PauseAction);
-  run->addAction(this->StopAction);
-  run->addAction(this->CancelAction);
-  this->MakeHelpMenu();
+  QMenu* menu = this->AddMenu(tr("&Edit"));
+  menu->addAction(shared.Undo);
+  menu->addAction(shared.Redo);
+  menu->addSeparator();
+  menu->addActions(this->Window->GetMeshPage()->GetEditActions());
+  menu->addSeparator();
+  connect(
+    this->AddAction(menu, "palette", tr("Pre&ferences …"), QKeySequence(QStringLiteral("Ctrl+,"))),
+    &QAction::triggered, this, &StudioMenus::ShowPreferences);
 }
 
-void StudioWindow::MakeFileMenu()
+void StudioMenus::MakeRunMenu()
 {
-  QMenu* menu = this->menuBar()->addMenu(tr("&File"));
-  connect(this->AddAction(menu, "new", tr("&New study"), {}), &QAction::triggered, this->Files,
+  QMenu* menu = this->AddMenu(tr("&Run"));
+  const RunDesk* runs = this->Window->GetRuns();
+  for (int type = 0; type < RunDesk::NumberOfActions; ++type)
+  {
+    if (type == RunDesk::Pause)
+    {
+      menu->addSeparator();
+    }
+    menu->addAction(runs->GetAction(static_cast<RunDesk::ActionType>(type)));
+  }
+}
+
+void StudioMenus::MakeFileMenu(QAction* save)
+{
+  Session* files = this->Window->GetSession();
+  QMenu* menu = this->AddMenu(tr("&File"));
+  connect(this->AddAction(menu, "new", tr("&New study"), {}), &QAction::triggered, files,
     &Session::MakeNew);
-  connect(this->AddAction(menu, "open", tr("&Open study …"), {}), &QAction::triggered, this->Files,
+  connect(this->AddAction(menu, "open", tr("&Open study …"), {}), &QAction::triggered, files,
     &Session::Open);
   connect(
     this->AddAction(menu, "mesh", tr("Open &meshes …"), QKeySequence(QStringLiteral("Ctrl+M"))),
-    &QAction::triggered, this->Files, &Session::OpenMeshes);
+    &QAction::triggered, files, &Session::OpenMeshes);
   QMenu* recent = menu->addMenu(tr("&Recent studies"));
-  connect(
-    recent, &QMenu::aboutToShow, this, [this, recent] { this->Files->FillRecentMenu(recent); });
+  connect(recent, &QMenu::aboutToShow, this, [files, recent] { files->FillRecentMenu(recent); });
   connect(this->AddAction(menu, "table", tr("Open res&ults …"), {}), &QAction::triggered, this,
-    &StudioWindow::OpenResults);
+    &StudioMenus::OpenResults);
   menu->addSeparator();
-  menu->addAction(this->SaveAction);
+  menu->addAction(save);
   connect(this->AddAction(menu, "save", tr("Save study &as …"), QKeySequence::SaveAs),
-    &QAction::triggered, this->Files, &Session::SaveAs);
-  this->SaveMeshAction = this->AddAction(menu, "export", tr("Save m&esh …"), {});
-  connect(this->SaveMeshAction, &QAction::triggered, this, &StudioWindow::SaveMesh);
+    &QAction::triggered, files, &Session::SaveAs);
+  QAction* mesh = this->AddAction(menu, "export", tr("Save m&esh …"), {});
+  connect(mesh, &QAction::triggered, this, &StudioMenus::SaveMesh);
+  connect(this->Window->GetPreview(), &StudyPreview::PictureChanged, mesh,
+    [this, mesh] { mesh->setEnabled(this->Window->GetPreview()->GetPicture() != nullptr); });
   connect(this->AddAction(menu, "export", tr("Save &polygons as a table …"), {}),
-    &QAction::triggered, this, &StudioWindow::SavePolygons);
+    &QAction::triggered, this, &StudioMenus::SavePolygons);
   menu->addSeparator();
   connect(this->AddAction(menu, "cancel", tr("&Quit"), QKeySequence::Quit), &QAction::triggered,
-    this, &QWidget::close);
+    this->Window, &QWidget::close);
 }
 
-void StudioWindow::MakeViewMenu()
+void StudioMenus::MakeViewMenu()
 {
-  QMenu* menu = this->menuBar()->addMenu(tr("&View"));
-  menu->addAction(this->Log->toggleViewAction());
-  this->Log->toggleViewAction()->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  QMenu* menu = this->AddMenu(tr("&View"));
+  QAction* log = this->Window->GetLog()->toggleViewAction();
+  log->setShortcut(QKeySequence(QStringLiteral("Ctrl+L")));
+  menu->addAction(log);
   connect(this->AddAction(menu, "palette", tr("&Plot settings …"), {}), &QAction::triggered, this,
-    &StudioWindow::ShowPlotSettings);
-  QMenu* theme = menu->addMenu(tr("&Theme"));
+    &StudioMenus::ShowPlotSettings);
+  this->MakeThemeMenu(menu->addMenu(tr("&Theme")));
+}
+
+void StudioMenus::MakeThemeMenu(QMenu* menu)
+{
   auto* group = new QActionGroup(this);
   const QString names[] = { tr("As the system"), tr("Light"), tr("Dark") };
-  const int chosen = QSettings().value(QStringLiteral("theme")).toInt();
   for (int i = 0; i < 3; ++i)
   {
-    QAction* action = theme->addAction(names[i]);
+    QAction* action = menu->addAction(names[i]);
     action->setCheckable(true);
-    action->setChecked(i == chosen);
     group->addAction(action);
     connect(action, &QAction::triggered, this,
       [i]
       {
-        QSettings().setValue(QStringLiteral("theme"), i);
-        ApplyTheme(*qApp, static_cast<ThemeChoice>(i));
+        SetPreference(ThemePreference, i);
+        ApplyPreferences(*qApp);
       });
   }
+  connect(menu, &QMenu::aboutToShow, this,
+    [group] { group->actions()[GetPreference(ThemePreference)]->setChecked(true); });
 }
 
-void StudioWindow::MakeHelpMenu()
+void StudioMenus::MakeHelpMenu()
 {
-  QMenu* menu = this->menuBar()->addMenu(tr("&Help"));
+  QMenu* menu = this->AddMenu(tr("&Help"));
   connect(menu->addAction(tr("Reference of the &metrics")), &QAction::triggered, this,
     [this] { this->ShowReference(tr("Metrics"), DescribeMetricsInMarkdown()); });
   connect(menu->addAction(tr("Reference of the &study document")), &QAction::triggered, this,
@@ -150,15 +183,15 @@ void StudioWindow::MakeHelpMenu()
     });
   menu->addSeparator();
   connect(menu->addAction(tr("&About PEMesh Studio")), &QAction::triggered, this,
-    &StudioWindow::ShowAbout);
+    &StudioMenus::ShowAbout);
   connect(menu->addAction(tr("About &Qt")), &QAction::triggered, qApp, &QApplication::aboutQt);
 }
 
-void StudioWindow::SaveMesh()
+void StudioMenus::SaveMesh()
 {
-  const MeshPicturePointer picture = this->Preview->GetPicture();
+  const MeshPicturePointer picture = this->Window->GetPreview()->GetPicture();
   const QString file =
-    QFileDialog::getSaveFileName(this, tr("Save mesh"), QStringLiteral("mesh.off"),
+    QFileDialog::getSaveFileName(this->Window, tr("Save mesh"), QStringLiteral("mesh.off"),
       tr("Meshes (%1)").arg(QString::fromStdString(ListMeshExtensions("*"))));
   if (file.isEmpty() || !picture)
   {
@@ -170,45 +203,72 @@ void StudioWindow::SaveMesh()
   }
   catch (const std::exception& error)
   {
-    QMessageBox::warning(this, tr("Save mesh"), QString::fromUtf8(error.what()));
+    QMessageBox::warning(this->Window, tr("Save mesh"), QString::fromUtf8(error.what()));
   }
 }
 
-void StudioWindow::SavePolygons()
+void StudioMenus::SavePolygons()
 {
   const QString file = QFileDialog::getSaveFileName(
-    this, tr("Save polygons"), QStringLiteral("polygons.csv"), tr("Tables (*.csv)"));
+    this->Window, tr("Save polygons"), QStringLiteral("polygons.csv"), tr("Tables (*.csv)"));
   try
   {
     if (!file.isEmpty())
     {
-      WritePolygonTable(file.toStdString(), this->Model->GetStudy().Polygons);
+      WritePolygonTable(file.toStdString(), this->Window->GetModel()->GetStudy().Polygons);
     }
   }
   catch (const std::exception& error)
   {
-    QMessageBox::warning(this, tr("Save polygons"), QString::fromUtf8(error.what()));
+    QMessageBox::warning(this->Window, tr("Save polygons"), QString::fromUtf8(error.what()));
   }
 }
 
-void StudioWindow::ShowPlotSettings()
+void StudioMenus::ShowPlotSettings()
 {
-  auto* dialog = new StyleDialog(this);
+  auto* dialog = new StyleDialog(this->Window->GetModel(), this->Window);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
-  connect(dialog, &StyleDialog::Changed, this,
+  connect(dialog, &StyleDialog::Changed, this, &StudioMenus::RepaintCharts);
+  dialog->show();
+}
+
+void StudioMenus::ShowPreferences()
+{
+  auto* dialog = new PreferencesDialog(this->Window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &PreferencesDialog::Changed, this,
     [this]
     {
-      for (PanelView* view : this->findChildren<PanelView*>())
-      {
-        view->Refresh();
-      }
+      ApplyPreferences(*qApp);
+      this->RepaintCharts();
     });
   dialog->show();
 }
 
-void StudioWindow::ShowReference(const QString& title, const QString& markdown)
+void StudioMenus::RepaintCharts()
 {
-  auto* browser = new QTextBrowser(this);
+  for (PanelView* view : this->Window->findChildren<PanelView*>())
+  {
+    view->Refresh();
+  }
+}
+
+void StudioMenus::UseStyleOfStudy()
+{
+  QString fault;
+  if (pemesh::UseStyleOfStudy(this->Window->GetModel()->GetStudy(), fault))
+  {
+    this->RepaintCharts();
+  }
+  if (!fault.isEmpty())
+  {
+    this->Window->GetLog()->Tell(fault, true);
+  }
+}
+
+void StudioMenus::ShowReference(const QString& title, const QString& markdown)
+{
+  auto* browser = new QTextBrowser(this->Window);
   browser->setWindowFlag(Qt::Window);
   browser->setAttribute(Qt::WA_DeleteOnClose);
   browser->setWindowTitle(title);
@@ -218,19 +278,19 @@ void StudioWindow::ShowReference(const QString& title, const QString& markdown)
   browser->show();
 }
 
-void StudioWindow::OpenResults()
+void StudioMenus::OpenResults()
 {
-  const QString folder = QFileDialog::getExistingDirectory(this, tr("Results of a study"));
-  if (!folder.isEmpty() && this->Files->OpenFiles({ folder + QStringLiteral("/study.json") }))
+  const QString folder = QFileDialog::getExistingDirectory(this->Window, tr("Results of a study"));
+  if (!folder.isEmpty() && this->Window->OpenFiles({ folder + QStringLiteral("/study.json") }))
   {
-    this->Results->Load(folder);
-    this->ShowPage(GeometryPageIndex);
+    this->Window->GetResults()->Load(folder);
+    this->Window->ShowPage(StudioWindow::GeometryPageIndex);
   }
 }
 
-void StudioWindow::ShowAbout()
+void StudioMenus::ShowAbout()
 {
-  QMessageBox::about(this, tr("About PEMesh Studio"),
+  QMessageBox::about(this->Window, tr("About PEMesh Studio"),
     tr("<h3>PEMesh Studio %1</h3><p>How the geometry of polygonal meshes affects polytopal element "
        "methods.</p><p>Free software under the GNU General Public License, version 3 or later. It "
        "uses Qt, VTK, CGAL, Eigen, SuiteSparse, METIS, Boost, Cairo and nlohmann-json, each under "

@@ -11,14 +11,17 @@
 #include "MeshPage.h"
 #include "ResultSet.h"
 #include "RunController.h"
+#include "RunDesk.h"
 #include "Selection.h"
 #include "Session.h"
 #include "SolverPage.h"
+#include "StudioMenus.h"
 #include "StudyModel.h"
 #include "StudyPreview.h"
 
 #include <QAction>
 #include <QButtonGroup>
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QHBoxLayout>
@@ -33,6 +36,8 @@
 #include <QToolButton>
 #include <QUndoStack>
 
+#include <cmath>
+
 namespace pemesh
 {
 
@@ -46,7 +51,6 @@ StudioWindow::StudioWindow(QWidget* parent)
   , Model(new StudyModel(this))
   , Preview(new StudyPreview(this->Model, this))
   , Results(new ResultSet(this))
-  , Controller(new RunController(this))
   , Selected(new Selection(this))
   , Files(new Session(this->Model, this))
 {
@@ -55,16 +59,15 @@ StudioWindow::StudioWindow(QWidget* parent)
   this->Log = new LogDock(this->Selected, this);
   this->addDockWidget(Qt::BottomDockWidgetArea, this->Log);
   this->Log->hide();
-  this->ConnectRuns(); // before the pages, which show what it says
+  // Before the pages, which show what it says.
+  this->Runs = new RunDesk(
+    { this->Model, this->Preview, this->Results, this->Selected, this->Files, this->Log }, this);
   this->MakePages();
   this->MakeStatusBar();
   this->MakeToolBar();
-  this->MakeMenus();
+  this->ConnectRuns();
   connect(this->Model, &StudyModel::FileChanged, this, &StudioWindow::ShowTitle);
   connect(this->Model, &StudyModel::Changed, this, &StudioWindow::ShowTitle);
-  connect(this->Preview, &StudyPreview::BusyChanged, this, &StudioWindow::ShowRunning);
-  connect(this->Preview, &StudyPreview::PictureChanged, this,
-    [this] { this->SaveMeshAction->setEnabled(this->Preview->GetPicture() != nullptr); });
   connect(this->Results, &ResultSet::Failed, this,
     [this](const QString& sentence) { this->Log->Tell(sentence, true); });
   connect(this->Results, &ResultSet::PictureChanged, this,
@@ -88,7 +91,7 @@ void StudioWindow::MakePages()
   this->Meshes = new MeshPage(this->Model, this->Preview, this->Pages);
   this->Geometry = new GeometryPage(this->Preview, this->Results, this->Selected, this->Pages);
   this->Solver =
-    new SolverPage(this->Model, this->Results, this->Controller, this->Selected, this->Pages);
+    new SolverPage(this->Model, this->Results, this->GetController(), this->Selected, this->Pages);
   this->Correlation = new CorrelationPage(this->Results, this->Selected, this->Pages);
   for (QWidget* page : std::initializer_list<QWidget*>{
          this->Meshes, this->Geometry, this->Solver, this->Correlation })
@@ -120,12 +123,8 @@ void StudioWindow::MakePages()
     });
   connect(this->Meshes, &MeshPage::Told, this, tell);
   connect(this->Geometry, &GeometryPage::Told, this, tell);
-  connect(this->Geometry, &GeometryPage::RunWanted, this, &StudioWindow::Run);
   connect(this->Geometry, &GeometryPage::PictureShown, this->Log, &LogDock::SetPicture);
-  connect(this->Solver, &SolverPage::RunWanted, this, &StudioWindow::Run);
-  connect(this->Solver, &SolverPage::SomeWanted, this, &StudioWindow::RunSome);
   connect(this->Correlation, &CorrelationPage::Told, this, tell);
-  connect(this->Correlation, &CorrelationPage::RunWanted, this, &StudioWindow::RunWithSolver);
   connect(this->Correlation, &CorrelationPage::MeshWanted, this,
     [this] { this->ShowPage(GeometryPageIndex); });
 }
@@ -180,38 +179,77 @@ void StudioWindow::MakeToolBar()
   connect(this->SaveAction, &QAction::triggered, this->Files, &Session::Save);
   bar->addSeparator();
   QUndoStack* stack = this->Model->GetUndoStack();
-  this->UndoAction = add("undo", tr("Undo"), QKeySequence::Undo);
-  this->RedoAction = add("redo", tr("Redo"), QKeySequence::Redo);
-  connect(this->UndoAction, &QAction::triggered, stack, &QUndoStack::undo);
-  connect(this->RedoAction, &QAction::triggered, stack, &QUndoStack::redo);
-  const auto show = [this, stack]
+  QAction* undo = add("undo", tr("Undo"), QKeySequence::Undo);
+  QAction* redo = add("redo", tr("Redo"), QKeySequence::Redo);
+  connect(undo, &QAction::triggered, stack, &QUndoStack::undo);
+  connect(redo, &QAction::triggered, stack, &QUndoStack::redo);
+  const auto show = [stack, undo, redo]
   {
-    this->UndoAction->setEnabled(stack->canUndo());
-    this->RedoAction->setEnabled(stack->canRedo());
-    this->UndoAction->setToolTip(tr("Undo %1").arg(stack->undoText()));
-    this->RedoAction->setToolTip(tr("Redo %1").arg(stack->redoText()));
+    undo->setEnabled(stack->canUndo());
+    redo->setEnabled(stack->canRedo());
+    undo->setToolTip(tr("Undo %1").arg(stack->undoText()));
+    redo->setToolTip(tr("Redo %1").arg(stack->redoText()));
   };
   connect(stack, &QUndoStack::indexChanged, this, show);
   show();
   auto* space = new QWidget(bar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   bar->addWidget(space);
-  this->RunAction = add("run", tr("Run study"), QKeySequence(Qt::Key_F5));
-  this->PauseAction =
-    add("pause", tr("Pause the run"), QKeySequence(QStringLiteral("Ctrl+Shift+F5")));
-  this->StopAction =
-    add("stop", tr("Stop and keep what is done"), QKeySequence(QStringLiteral("Shift+F5")));
-  this->CancelAction = add("cancel", tr("Cancel the run"), QKeySequence(QStringLiteral("Ctrl+F5")));
-  connect(this->RunAction, &QAction::triggered, this, &StudioWindow::Run);
-  connect(this->PauseAction, &QAction::triggered, this->Controller, &RunController::Pause);
-  connect(this->StopAction, &QAction::triggered, this->Controller, &RunController::Stop);
-  connect(this->CancelAction, &QAction::triggered, this->Controller, &RunController::Cancel);
-  this->RunSomeAction = new QAction(MakeIcon("run"), tr("Run some &meshes …"), this);
-  this->RunSomeAction->setShortcut(QKeySequence(QStringLiteral("Alt+F5")));
-  connect(this->RunSomeAction, &QAction::triggered, this, &StudioWindow::RunSome);
-  auto* run = qobject_cast<QToolButton*>(bar->widgetForAction(this->RunAction));
+  for (const RunDesk::ActionType type :
+    { RunDesk::RunAll, RunDesk::Pause, RunDesk::Stop, RunDesk::Cancel })
+  {
+    bar->addAction(this->Runs->GetAction(type));
+  }
+  auto* run =
+    qobject_cast<QToolButton*>(bar->widgetForAction(this->Runs->GetAction(RunDesk::RunAll)));
   run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  new StudioMenus(this, { this->SaveAction, undo, redo });
+}
+
+/** What the pages want of runs, and what runs want of the window. */
+void StudioWindow::ConnectRuns()
+{
+  this->Meshes->SetRunAction(this->Runs->GetAction(RunDesk::RunSolver));
+  connect(this->Geometry, &GeometryPage::RunWanted, this->Runs, &RunDesk::Run);
+  connect(this->Solver, &SolverPage::RunWanted, this->Runs, &RunDesk::Run);
+  connect(this->Solver, &SolverPage::SomeWanted, this->Runs, &RunDesk::RunChosen);
+  connect(this->Correlation, &CorrelationPage::RunWanted, this->Runs, &RunDesk::RunWithSolver);
+  connect(this->Runs, &RunDesk::SolverWanted, this->Solver, &SolverPage::AddSolver);
+  connect(
+    this->Runs, &RunDesk::SolverPageWanted, this, [this] { this->ShowPage(SolverPageIndex); });
+  connect(this->Runs, &RunDesk::Ended, this, &QWidget::close);
+  connect(this->Runs, &RunDesk::StateChanged, this, &StudioWindow::ShowRunning);
+  connect(this->GetController(), &RunController::Progressed, this->Progress,
+    [this](double fraction)
+    { this->Progress->setValue(static_cast<int>(std::lround(fraction * 1000.0))); });
+  connect(this->GetController(), &RunController::Started, this->Progress, &QProgressBar::reset);
   this->ShowRunning();
+}
+
+void StudioWindow::ShowRunning()
+{
+  this->Progress->setVisible(this->GetController()->IsRunning());
+  this->Status->setText(this->Runs->GetState());
+}
+
+RunController* StudioWindow::GetController() const
+{
+  return this->Runs->GetController();
+}
+
+void StudioWindow::Run()
+{
+  this->Runs->Run();
+}
+
+void StudioWindow::RunWithSolver()
+{
+  this->Runs->RunWithSolver();
+}
+
+void StudioWindow::RunSome()
+{
+  this->Runs->RunChosen();
 }
 
 /** Tool buttons take part in the order of Tab, which Qt leaves them out of. */
@@ -254,6 +292,24 @@ void StudioWindow::ShowTitle()
 bool StudioWindow::OpenFiles(const QStringList& files)
 {
   return this->Files->OpenFiles(files);
+}
+
+/** A run that goes on is paused, so that nothing is lost; that of a study without a file ends. */
+void StudioWindow::closeEvent(QCloseEvent* event)
+{
+  if (!this->IsClosing && !this->Files->ConfirmDiscard())
+  {
+    event->ignore();
+    return;
+  }
+  this->IsClosing = !this->Runs->EndForClosing(); // which closes it later
+  if (this->IsClosing)
+  {
+    event->ignore();
+    return;
+  }
+  QSettings().setValue(QStringLiteral("geometry"), this->saveGeometry());
+  event->accept();
 }
 
 void StudioWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -7,18 +7,13 @@
 #ifndef pemesh_StudioWindow_h
 #define pemesh_StudioWindow_h
 
-#include <QDateTime>
 #include <QMainWindow>
-
-#include <vector>
 
 class QAction;
 class QButtonGroup;
 class QLabel;
-class QMenu;
 class QProgressBar;
 class QStackedWidget;
-class QTimer;
 
 namespace pemesh
 {
@@ -29,6 +24,7 @@ class LogDock;
 class MeshPage;
 class ResultSet;
 class RunController;
+class RunDesk;
 class Selection;
 class Session;
 class SolverPage;
@@ -53,7 +49,8 @@ public:
   StudyModel* GetModel() const { return this->Model; }
   StudyPreview* GetPreview() const { return this->Preview; }
   ResultSet* GetResults() const { return this->Results; }
-  RunController* GetController() const { return this->Controller; }
+  RunController* GetController() const;
+  RunDesk* GetRuns() const { return this->Runs; }
   Selection* GetSelection() const { return this->Selected; }
   Session* GetSession() const { return this->Files; }
   LogDock* GetLog() const { return this->Log; }
@@ -79,36 +76,19 @@ protected:
 private:
   void MakePages();
   void MakeNavigation();
-  void MakeMenus();
-  void MakeFileMenu();
-  void MakeViewMenu();
-  void MakeHelpMenu();
   void MakeToolBar();
   void MakeStatusBar();
   void MakeReachable();
-  QAction* AddAction(QMenu* menu, const char* icon, const QString& text, const QKeySequence& key);
+  void ConnectRuns();
   void ShowTitle();
   void ShowRunning();
-  void FinishRun(bool isGood, const QString& folder, const QStringList& messages);
-  void SaveMesh();
-  void SavePolygons();
-  void ShowPlotSettings();
-  void ShowReference(const QString& title, const QString& markdown);
-  void OpenResults();
-  void ConnectRuns();
-  void StartRun(const std::vector<int>& cases, bool continues);
-  void ShowHalfWay();
-  void KeepSelection();
-  void LoadKeptResults();
-  void LoadResultsOf(const QString& folder);
-  void ShowAbout();
 
   StudyModel* Model;
   StudyPreview* Preview;
   ResultSet* Results;
-  RunController* Controller;
   Selection* Selected;
   Session* Files;
+  RunDesk* Runs = nullptr;
   LogDock* Log = nullptr;
   QStackedWidget* Pages = nullptr;
   QButtonGroup* Navigation = nullptr;
@@ -117,22 +97,9 @@ private:
   SolverPage* Solver = nullptr;
   CorrelationPage* Correlation = nullptr;
   QAction* SaveAction = nullptr;
-  QAction* SaveMeshAction = nullptr;
-  QAction* UndoAction = nullptr;
-  QAction* RedoAction = nullptr;
-  QAction* RunAction = nullptr;
-  QAction* RunSomeAction = nullptr;
-  QAction* PauseAction = nullptr;
-  QAction* StopAction = nullptr;
-  QAction* CancelAction = nullptr;
   QProgressBar* Progress = nullptr;
   QLabel* Status = nullptr;
-  QString MeshInView; // its name, which stays when its row does not
-  QTimer* HalfWayTimer = nullptr;
-  QDateTime HalfWayTime; // of the table that is shown while a run goes on
-  bool ClosesAfterRun = false;
-  bool IsHalfWay = false;         // what is shown comes from a run that did not end
-  bool IsRunOfOtherStudy = false; // another one was opened since it began
+  bool IsClosing = false; // when what runs has ended
 };
 
 } // namespace pemesh

@@ -20,103 +20,97 @@
 namespace pemesh
 {
 
-namespace
+SurfaceShape MakeSurfaceShape(const MeshPicture& picture, const std::atomic<bool>& stop)
 {
-
-constexpr vtkIdType ElementsOfBlock = 8192;
-
-/** Some elements; points on the border of two blocks are in both. */
-class BlockMaker
-{
-public:
-  BlockMaker(vtkPolyData* mesh, vtkDataArray* values)
-    : Elements(mesh)
-    , Values(values)
-    , PointsOfBlock(static_cast<std::size_t>(mesh->GetNumberOfPoints()), -1)
-  {
-  }
-
-  vtkSmartPointer<vtkPolyData> Make(vtkIdType first, vtkIdType last)
-  {
-    vtkNew<vtkPoints> points;
-    points->SetDataType(VTK_DOUBLE);
-    vtkNew<vtkCellArray> triangles;
-    vtkNew<vtkDoubleArray> heights;
-    heights->SetName("Height");
-    std::vector<vtkIdType> used;
-    for (vtkIdType element = first; element < last; ++element)
-    {
-      this->Elements.GetVertices(element, this->Vertices);
-      this->Elements.GetVertexIds(element, this->Ids);
-      for (std::size_t i = 0; i < this->Ids.size(); ++i)
-      {
-        vtkIdType& point = this->PointsOfBlock[static_cast<std::size_t>(this->Ids[i])];
-        if (point < 0)
-        {
-          const double value = ValueOf(this->Values, this->Ids[i]);
-          point = points->InsertNextPoint(
-            this->Vertices[i].x, this->Vertices[i].y, std::isfinite(value) ? value : 0.0);
-          heights->InsertNextValue(value);
-          used.push_back(this->Ids[i]);
-        }
-        this->Ids[i] = point;
-      }
-      this->AddTriangles(triangles);
-    }
-    for (const vtkIdType id : used)
-    {
-      this->PointsOfBlock[static_cast<std::size_t>(id)] = -1;
-    }
-    auto block = vtkSmartPointer<vtkPolyData>::New();
-    block->SetPoints(points);
-    block->SetPolys(triangles);
-    block->GetPointData()->SetScalars(heights);
-    return block;
-  }
-
-private:
-  void AddTriangles(vtkCellArray* triangles)
-  {
-    for (const PolygonTriangle& triangle : this->Triangulator.Triangulate(this->Vertices))
-    {
-      const vtkIdType corners[3] = { this->Ids[triangle[0]], this->Ids[triangle[1]],
-        this->Ids[triangle[2]] };
-      triangles->InsertNextCell(3, corners);
-    }
-  }
-
-  ElementAccess Elements;
-  vtkDataArray* Values;
-  PolygonTriangulator Triangulator;
-  std::vector<vtkIdType> PointsOfBlock; // by the points of the mesh; -1: not in it
-  std::vector<Point2> Vertices;         // of an element
-  std::vector<vtkIdType> Ids;
-};
-
-} // namespace
-
-SurfaceMesh MakeSurface(
-  const MeshPicture& picture, const std::string& array, const std::atomic<bool>& stop)
-{
-  SurfaceMesh surface;
+  SurfaceShape shape;
   vtkPolyData* mesh = picture.GetMesh();
-  vtkDataArray* values = mesh->GetPointData()->GetArray(array.c_str());
+  shape.Points.resize(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  for (std::size_t i = 0; i < shape.Points.size(); ++i)
+  {
+    double point[3];
+    mesh->GetPoint(static_cast<vtkIdType>(i), point);
+    shape.Points[i] = { point[0], point[1] };
+  }
+  ElementAccess elements(mesh);
+  PolygonTriangulator triangulator;
+  std::vector<Point2> vertices;
+  std::vector<vtkIdType> ids;
+  for (vtkIdType element = 0; element < picture.GetNumberOfElements() && !stop; ++element)
+  {
+    elements.GetVertices(element, vertices);
+    elements.GetVertexIds(element, ids);
+    for (const PolygonTriangle& triangle : triangulator.Triangulate(vertices))
+    {
+      shape.Triangles.push_back({ static_cast<std::uint32_t>(ids[triangle[0]]),
+        static_cast<std::uint32_t>(ids[triangle[1]]),
+        static_cast<std::uint32_t>(ids[triangle[2]]) });
+    }
+  }
+  return shape;
+}
+
+SurfaceField MakeSurfaceField(const MeshPicture& picture, const std::string& array)
+{
+  SurfaceField field;
+  vtkDataArray* values = picture.GetMesh()->GetPointData()->GetArray(array.c_str());
   if (!values)
   {
-    return surface;
+    return field;
   }
   double range[2] = { INFINITY, -INFINITY };
   if (ExtendRange(values, range))
   {
-    std::copy_n(range, 2, surface.Range);
+    std::copy_n(range, 2, field.Range);
   }
-  const vtkIdType count = picture.GetNumberOfElements();
-  BlockMaker maker(mesh, values);
-  for (vtkIdType first = 0; first < count && !stop; first += ElementsOfBlock)
+  field.Values.resize(static_cast<std::size_t>(values->GetNumberOfTuples()));
+  for (std::size_t i = 0; i < field.Values.size(); ++i)
   {
-    surface.Blocks.push_back(maker.Make(first, std::min(first + ElementsOfBlock, count)));
+    field.Values[i] = ValueOf(values, static_cast<vtkIdType>(i));
   }
-  return surface;
+  return field;
+}
+
+vtkSmartPointer<vtkPolyData> MakeSurfaceData(const SurfaceShape& shape, const SurfaceField& field)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataType(VTK_DOUBLE);
+  vtkNew<vtkDoubleArray> heights;
+  heights->SetName("Height");
+  for (std::size_t i = 0; i < shape.Points.size(); ++i)
+  {
+    const double value = field.Values[i];
+    points->InsertNextPoint(
+      shape.Points[i].x, shape.Points[i].y, std::isfinite(value) ? value : 0.0);
+    heights->InsertNextValue(value);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (const auto& triangle : shape.Triangles)
+  {
+    const vtkIdType corners[3] = { triangle[0], triangle[1], triangle[2] };
+    triangles->InsertNextCell(3, corners);
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  data->GetPointData()->SetScalars(heights);
+  return data;
+}
+
+SurfacePair MakeSurfacePair(const MeshPicture& picture, const std::string& run,
+  std::size_t mostForVtk, const std::atomic<bool>& stop)
+{
+  SurfacePair pair;
+  pair.Shape = MakeSurfaceShape(picture, stop);
+  pair.Fields[0] = MakeSurfaceField(picture, run + "_Solution");
+  pair.Fields[1] = MakeSurfaceField(picture, run + "_GroundTruth");
+  for (int side = 0; side < 2 && pair.Shape.Triangles.size() <= mostForVtk; ++side)
+  {
+    if (!pair.Fields[side].Values.empty())
+    {
+      pair.Data[side] = MakeSurfaceData(pair.Shape, pair.Fields[side]);
+    }
+  }
+  return pair;
 }
 
 } // namespace pemesh

@@ -1,14 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * A field on a mesh as a surface above the plane, in blocks of a size that is quick to draw.
+ * Fields on a mesh as surfaces above the plane.
  */
 #ifndef pemesh_SurfaceMesh_h
 #define pemesh_SurfaceMesh_h
 
 #include "MeshPicture.h"
 
+#include <array>
 #include <atomic>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -17,18 +19,37 @@
 namespace pemesh
 {
 
-struct SurfaceMesh
+/** The vertices in the plane and the triangles of all elements, concave ones rightly. */
+struct SurfaceShape
 {
-  std::vector<vtkSmartPointer<vtkPolyData>> Blocks; ///< triangles; height and scalar are the value
+  std::vector<Point2> Points;
+  std::vector<std::array<std::uint32_t, 3>> Triangles;
+};
+
+/** The values of a point array; none where there is no such array. */
+struct SurfaceField
+{
+  std::vector<double> Values;
   double Range[2] = { 0.0, 0.0 };
 };
 
-/**
- * Of a point array; every element is cut into triangles of its own, concave ones rightly. No blocks
- * where there is no such array.
- */
-SurfaceMesh MakeSurface(
-  const MeshPicture& picture, const std::string& array, const std::atomic<bool>& stop);
+SurfaceShape MakeSurfaceShape(const MeshPicture& picture, const std::atomic<bool>& stop);
+SurfaceField MakeSurfaceField(const MeshPicture& picture, const std::string& array);
+
+/** For VTK; height and scalar are the value, and what has none is at height 0. */
+vtkSmartPointer<vtkPolyData> MakeSurfaceData(const SurfaceShape& shape, const SurfaceField& field);
+
+/** Solution and ground truth of one mesh. */
+struct SurfacePair
+{
+  SurfaceShape Shape;
+  SurfaceField Fields[2];
+  vtkSmartPointer<vtkPolyData> Data[2]; ///< where there are few enough triangles for VTK
+};
+
+/** Of the arrays <run>_Solution and <run>_GroundTruth. */
+SurfacePair MakeSurfacePair(const MeshPicture& picture, const std::string& run,
+  std::size_t mostForVtk, const std::atomic<bool>& stop);
 
 } // namespace pemesh
 

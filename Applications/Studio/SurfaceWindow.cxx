@@ -10,9 +10,9 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSlider>
-#include <QTimer>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -24,6 +24,7 @@
 #include <vtkGenericRenderWindowInteractor.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkLookupTable.h>
+#include <vtkMatrix4x4.h>
 #include <vtkOutlineSource.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper.h>
@@ -39,9 +40,8 @@ namespace
 {
 
 constexpr int ColorCount = 256;
-constexpr std::size_t BlocksShownWhileMoving = 4; // more are an outline while they move
-constexpr double TurnMilliseconds = 50.0;         // of painting between two turns of the event loop
-constexpr int SideStretch = 44;                   // hundredths of the width
+constexpr std::size_t MostDrawnAtOnce = 40000; // triangles, that OpenGL in software has time for
+constexpr int SideStretch = 44;                // hundredths of the width
 constexpr int LegendStretch = 12;
 
 void SetColor(vtkRenderer* renderer, const QColor& color)
@@ -64,10 +64,11 @@ void SetText(vtkTextProperty* property, int size)
 SurfaceWindow::SurfaceWindow(QWidget* parent)
   : QWidget(parent, Qt::Window)
   , View(new RenderWidget(this))
+  , Still(new QLabel(this->View))
   , Height(new QSlider(Qt::Horizontal, this))
   , Note(new QLabel(this))
-  , Job(new LatestJob(this, 0))
-  , PaintTimer(new QTimer(this))
+  , MeshJob(new LatestJob(this, 0))
+  , PaintJob(new LatestJob(this, 0))
 {
   this->setWindowTitle(tr("Solution and ground truth"));
   this->resize(1100, 620);
@@ -89,23 +90,29 @@ SurfaceWindow::SurfaceWindow(QWidget* parent)
   this->MakeSide(side, 2.0 * side);
   this->MakeLegend(2.0 * side, 1.0);
   this->WatchMouse();
-  this->PaintTimer->setSingleShot(true);
-  this->PaintTimer->setInterval(0);
-  connect(this->PaintTimer, &QTimer::timeout, this, &SurfaceWindow::PaintNext);
-  connect(this->View, &QOpenGLWidget::resized, this, &SurfaceWindow::BeginFrame);
+  this->Still->setAttribute(Qt::WA_TransparentForMouseEvents);
+  this->Still->hide();
+  connect(this->View, &QOpenGLWidget::resized, this,
+    [this]
+    {
+      this->Still->hide(); // of another size
+      this->BeginFrame();
+    });
   connect(this->View, &RenderWidget::Rendered, this,
     [this]
     {
-      if (this->IsPainting)
+      if (!this->IsLarge())
       {
-        this->PaintTimer->start();
+        this->IsPainting = false;
+        this->FrameTime = this->FrameClock.elapsed();
       }
     });
 }
 
 SurfaceWindow::~SurfaceWindow()
 {
-  delete this->Job;
+  delete this->MeshJob;
+  delete this->PaintJob;
 }
 
 QBoxLayout* SurfaceWindow::MakeTitles()
@@ -172,7 +179,7 @@ void SurfaceWindow::MakeLegend(double left, double right)
 void SurfaceWindow::WatchMouse()
 {
   vtkNew<vtkInteractorStyleTrackballCamera> style;
-  style->AutoAdjustCameraClippingRangeOff(); // it knows only the blocks of the last turn
+  style->AutoAdjustCameraClippingRangeOff(); // it knows only what VTK draws
   this->View->GetInteractor()->SetInteractorStyle(style);
   vtkNew<vtkCallbackCommand> moved;
   moved->SetClientData(this);
@@ -196,149 +203,157 @@ void SurfaceWindow::SetMesh(const MeshPicturePointer& picture, const QString& ru
   {
     return;
   }
-  this->Job->Start(
+  this->MeshJob->Start(
     [this, picture, run = run.toStdString()](const std::atomic<bool>& stop) -> LatestJob::Delivery
     {
-      const SurfaceMesh solution = MakeSurface(*picture, run + "_Solution", stop);
-      const SurfaceMesh truth = MakeSurface(*picture, run + "_GroundTruth", stop);
-      return [this, solution, truth, extent = picture->GetBounds()]
-      {
-        this->Extent = extent;
-        this->Show(solution, truth);
-      };
+      const auto made =
+        std::make_shared<const SurfacePair>(MakeSurfacePair(*picture, run, MostDrawnAtOnce, stop));
+      return [this, made, extent = picture->GetBounds()] { this->Show(made, extent); };
     });
 }
 
-void SurfaceWindow::Show(const SurfaceMesh& solution, const SurfaceMesh& truth)
+void SurfaceWindow::Show(const std::shared_ptr<const SurfacePair>& shown, const QRectF& extent)
 {
-  const bool hadMesh = !this->Sides[0].Actors.empty();
-  const bool both = !truth.Blocks.empty();
+  const bool hadMesh = this->Shown != nullptr;
+  this->Shown = shown;
+  this->Extent = extent;
+  const SurfaceField& solution = shown->Fields[0];
+  const SurfaceField& truth = shown->Fields[1];
+  const bool both = !truth.Values.empty();
   this->Range[0] = both ? std::min(solution.Range[0], truth.Range[0]) : solution.Range[0];
   this->Range[1] = both ? std::max(solution.Range[1], truth.Range[1]) : solution.Range[1];
   this->Colors->SetTableRange(this->Range);
-  this->AddBlocks(this->Sides[0], solution);
-  this->AddBlocks(this->Sides[1], truth);
-  this->Note->setText(solution.Blocks.empty() ? tr("This mesh has no solution.")
-      : both                                  ? QString()
-                                              : tr("The solver gave no ground truth."));
-  if (!hadMesh && !solution.Blocks.empty())
+  this->ShowData(this->Sides[0], shown->Data[0]);
+  this->ShowData(this->Sides[1], shown->Data[1]);
+  this->Note->setText(solution.Values.empty() ? tr("This mesh has no solution.")
+      : !both                                 ? tr("The solver gave no ground truth.")
+      : this->IsLarge()                       ? tr("A large mesh: an outline while it moves.")
+                                              : QString());
+  this->Still->hide();
+  if (!hadMesh && !solution.Values.empty())
   {
     this->ResetCamera();
   }
-  this->BlocksATurn = 1; // the first time they go to OpenGL as well
   this->ApplyHeight();
 }
 
-void SurfaceWindow::AddBlocks(Side& side, const SurfaceMesh& surface)
+void SurfaceWindow::ShowData(Side& side, vtkPolyData* surface)
 {
-  for (const auto& actor : side.Actors)
+  if (side.Surface)
   {
-    side.Renderer->RemoveActor(actor);
+    side.Renderer->RemoveActor(std::exchange(side.Surface, nullptr));
   }
-  side.Actors.clear();
-  for (const auto& block : surface.Blocks)
+  if (!surface)
   {
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputData(block);
-    mapper->SetLookupTable(this->Colors);
-    mapper->UseLookupTableScalarRangeOn();
-    mapper->InterpolateScalarsBeforeMappingOn();
-    auto actor = vtkSmartPointer<vtkActor>::New();
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetAmbient(0.35);
-    actor->GetProperty()->SetDiffuse(0.7);
-    actor->GetProperty()->SetInterpolationToFlat();
-    actor->GetProperty()->SetEdgeVisibility(surface.Blocks.size() < 2);
-    actor->GetProperty()->SetEdgeColor(0.2, 0.24, 0.28);
-    side.Renderer->AddActor(actor);
-    side.Actors.push_back(actor);
+    return;
   }
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(surface);
+  mapper->SetLookupTable(this->Colors);
+  mapper->UseLookupTableScalarRangeOn();
+  mapper->InterpolateScalarsBeforeMappingOn();
+  side.Surface = vtkSmartPointer<vtkActor>::New();
+  side.Surface->SetMapper(mapper);
+  side.Surface->GetProperty()->SetAmbient(0.35);
+  side.Surface->GetProperty()->SetDiffuse(0.7);
+  side.Surface->GetProperty()->SetInterpolationToFlat();
+  side.Surface->GetProperty()->EdgeVisibilityOn();
+  side.Surface->GetProperty()->SetEdgeColor(0.2, 0.24, 0.28);
+  side.Renderer->AddActor(side.Surface);
 }
 
-std::size_t SurfaceWindow::GetNumberOfBlocks() const
+bool SurfaceWindow::IsLarge() const
 {
-  return std::max(this->Sides[0].Actors.size(), this->Sides[1].Actors.size());
+  return this->Shown && this->Shown->Shape.Triangles.size() > MostDrawnAtOnce;
 }
 
 bool SurfaceWindow::IsComplete() const
 {
-  return !this->Job->IsBusy() && !this->IsMoving && !this->IsPainting;
+  return !this->MeshJob->IsBusy() && !this->IsMoving && !this->IsPainting;
 }
 
-/** From an empty picture, or an outline. */
 void SurfaceWindow::BeginFrame()
 {
   this->FrameClock.start();
-  this->TurnClock.invalidate();
-  this->NextBlock = 0;
-  this->IsPainting = true;
   double box[6];
   this->GetBox(box);
   for (Side& side : this->Sides)
   {
     side.Renderer->ResetCameraClippingRange(box);
-    side.Renderer->SetPreserveColorBuffer(false);
-    side.Renderer->SetPreserveDepthBuffer(false);
   }
-  const bool isOutline = this->IsMoving && this->GetNumberOfBlocks() > BlocksShownWhileMoving;
-  this->ShowOutlines(isOutline);
-  if (isOutline)
+  this->IsPainting = !this->IsMoving;
+  if (this->IsLarge() && this->IsMoving)
   {
-    this->IsPainting = false;
-    this->PaintTimer->stop();
-    this->ShowBlocks(0, 0);
-    this->View->Render();
-    return;
+    this->PaintJob->Cancel();
+    this->Still->hide();
+    this->ShowOutlines(true);
   }
-  this->PaintTimer->start();
+  else if (this->IsLarge())
+  {
+    this->PaintStill();
+  }
+  this->View->Render();
 }
 
-/** Some more blocks on top of those that are there; the window answers in between. */
-void SurfaceWindow::PaintNext()
+void SurfaceWindow::PaintStill()
 {
-  const std::size_t count = this->GetNumberOfBlocks();
-  if (this->TurnClock.isValid())
-  {
-    const double turn = std::max(1.0, static_cast<double>(this->TurnClock.nsecsElapsed()) / 1e6);
-    const double wanted = static_cast<double>(this->BlocksATurn) * TurnMilliseconds / turn;
-    this->BlocksATurn = static_cast<std::size_t>(
-      std::clamp(wanted, 1.0, 2.0 * static_cast<double>(this->BlocksATurn)));
-    for (Side& side : this->Sides)
+  const std::array views = { this->MakeView(0), this->MakeView(1) };
+  this->PaintJob->Start(
+    [this, shown = this->Shown, views](const std::atomic<bool>& stop) -> LatestJob::Delivery
     {
-      side.Renderer->SetPreserveColorBuffer(true);
-      side.Renderer->SetPreserveDepthBuffer(true);
-    }
-  }
-  if (this->NextBlock >= count && this->TurnClock.isValid())
-  {
-    this->FrameTime = this->FrameClock.elapsed();
-    this->IsPainting = false;
-    return;
-  }
-  const std::size_t last = std::min(count, this->NextBlock + this->BlocksATurn);
-  this->ShowBlocks(this->NextBlock, last);
-  this->NextBlock = last;
-  this->TurnClock.start();
-  this->View->Render(); // which brings the next turn
+      const QImage still = PaintSurfacePair(*shown, views, stop);
+      return [this, still] { this->ShowStill(still); };
+    });
 }
 
-/** Of both sides, from the first to before the last. */
-void SurfaceWindow::ShowBlocks(std::size_t first, std::size_t last)
+void SurfaceWindow::ShowStill(const QImage& still)
 {
-  for (Side& side : this->Sides)
-  {
-    for (std::size_t i = 0; i < side.Actors.size(); ++i)
-    {
-      side.Actors[i]->SetVisibility(i >= first && i < last);
-    }
-  }
+  QPixmap pixmap = QPixmap::fromImage(still);
+  pixmap.setDevicePixelRatio(this->View->devicePixelRatioF());
+  this->Still->setPixmap(pixmap);
+  this->Still->adjustSize();
+  this->Still->show();
+  this->ShowOutlines(false);
+  this->View->Render();
+  this->IsPainting = false;
+  this->FrameTime = this->FrameClock.elapsed();
 }
 
-void SurfaceWindow::ShowOutlines(bool moving)
+QImage SurfaceWindow::GrabView() const
 {
-  for (Side& side : this->Sides)
+  return this->View->grab().toImage();
+}
+
+SurfaceView SurfaceWindow::MakeView(int side) const
+{
+  SurfaceView view;
+  const int* size = this->View->GetRenderWindow()->GetSize();
+  view.Left = size[0] * side * SideStretch / 100;
+  view.Size = QSize(size[0] * (side + 1) * SideStretch / 100 - view.Left, size[1]);
+  const double aspect = static_cast<double>(view.Size.width()) / std::max(1, view.Size.height());
+  vtkMatrix4x4* matrix = this->Camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0);
+  std::copy_n(matrix->GetData(), view.Matrix.size(), view.Matrix.begin());
+  const double* direction = this->Camera->GetDirectionOfProjection();
+  std::transform(direction, direction + 3, view.Light.begin(), [](double value) { return -value; });
+  view.ZScale = this->GetZScale();
+  std::copy_n(this->Range, 2, view.Range);
+  for (int i = 0; i < ColorCount; ++i)
   {
-    if (moving && !side.Outline && !side.Actors.empty())
+    double color[4];
+    this->Colors->GetTableValue(i, color);
+    view.Colors.push_back(QColor::fromRgbF(
+      static_cast<float>(color[0]), static_cast<float>(color[1]), static_cast<float>(color[2]))
+                            .rgb());
+  }
+  return view;
+}
+
+void SurfaceWindow::ShowOutlines(bool visible)
+{
+  for (std::size_t i = 0; i < this->Sides.size(); ++i)
+  {
+    Side& side = this->Sides[i];
+    if (visible && !side.Outline && !this->Shown->Fields[i].Values.empty())
     {
       double box[6];
       this->GetBox(box);
@@ -351,7 +366,7 @@ void SurfaceWindow::ShowOutlines(bool moving)
       side.Outline->GetProperty()->SetColor(0.12, 0.44, 0.7);
       side.Renderer->AddActor(side.Outline);
     }
-    else if (!moving && side.Outline)
+    else if (!visible && side.Outline)
     {
       side.Renderer->RemoveActor(std::exchange(side.Outline, nullptr));
     }
@@ -377,9 +392,9 @@ void SurfaceWindow::ApplyHeight()
 {
   for (Side& side : this->Sides)
   {
-    for (const auto& actor : side.Actors)
+    if (side.Surface)
     {
-      actor->SetScale(1.0, 1.0, this->GetZScale());
+      side.Surface->SetScale(1.0, 1.0, this->GetZScale());
     }
   }
   this->BeginFrame();

@@ -4,19 +4,21 @@
  * @class   SurfaceWindow
  * @brief   Solution and ground truth of a mesh as surfaces side by side: one camera, one scale.
  *
- * A window of its own, so that the others need no OpenGL. A mesh is drawn in blocks, some in each
- * turn of the event loop on top of those before, so that the window answers however large it is;
- * while it is moved a large one is an outline.
+ * A window of its own, so that the others need no OpenGL. VTK draws what it can draw at once; a
+ * large surface is an outline while it is moved, and its picture, of all its triangles, is painted
+ * in a worker and laid above: the window answers however large it is.
  */
 #ifndef pemesh_SurfaceWindow_h
 #define pemesh_SurfaceWindow_h
 
 #include "MeshPicture.h"
 #include "SurfaceMesh.h"
+#include "SurfacePicture.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
 
+#include <memory>
 #include <vector>
 
 #include <vtkNew.h>
@@ -25,7 +27,6 @@
 class QBoxLayout;
 class QLabel;
 class QSlider;
-class QTimer;
 class vtkActor;
 class vtkCamera;
 class vtkLookupTable;
@@ -53,13 +54,15 @@ public:
   RenderWidget* GetView() const { return this->View; }
   /** Paints all of it anew. */
   void BeginFrame();
+  /** With what is laid above. */
+  QImage GrabView() const;
 
 private:
   struct Side
   {
     vtkSmartPointer<vtkRenderer> Renderer;
     vtkSmartPointer<vtkActor> Outline;
-    std::vector<vtkSmartPointer<vtkActor>> Actors;
+    vtkSmartPointer<vtkActor> Surface;
   };
 
   QBoxLayout* MakeTitles();
@@ -67,32 +70,32 @@ private:
   void MakeSide(double left, double right);
   void MakeLegend(double left, double right);
   void WatchMouse();
-  void Show(const SurfaceMesh& solution, const SurfaceMesh& truth);
-  void AddBlocks(Side& side, const SurfaceMesh& surface);
-  void PaintNext();
-  void ShowBlocks(std::size_t first, std::size_t last);
-  void ShowOutlines(bool moving);
+  void Show(const std::shared_ptr<const SurfacePair>& shown, const QRectF& extent);
+  void ShowData(Side& side, vtkPolyData* surface);
+  void ShowOutlines(bool visible);
+  void PaintStill();
+  void ShowStill(const QImage& still);
+  SurfaceView MakeView(int side) const;
+  bool IsLarge() const;
   void ApplyHeight();
   void ResetCamera();
   void GetBox(double bounds[6]) const;
   double GetZScale() const;
-  std::size_t GetNumberOfBlocks() const;
 
   RenderWidget* View;
+  QLabel* Still; // laid above the view
   QSlider* Height;
   QLabel* Note;
-  LatestJob* Job;
-  QTimer* PaintTimer;
+  LatestJob* MeshJob;
+  LatestJob* PaintJob;
   vtkNew<vtkCamera> Camera;
   vtkNew<vtkLookupTable> Colors;
   std::vector<Side> Sides;
+  std::shared_ptr<const SurfacePair> Shown;
   QRectF Extent{ 0.0, 0.0, 1.0, 1.0 }; // of the mesh in the plane
   double Range[2] = { 0.0, 1.0 };
   bool IsMoving = false;
-  bool IsPainting = false;     // a picture that is not whole yet
-  std::size_t NextBlock = 0;   // of the picture that is being painted
-  std::size_t BlocksATurn = 1; // as many as take little time
-  QElapsedTimer TurnClock;
+  bool IsPainting = false; // a picture that is not there yet
   QElapsedTimer FrameClock;
   qint64 FrameTime = 0;
 };

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Appearance.h"
+#include "Preferences.h"
 #include "Session.h"
 #include "StudioWindow.h"
 #include "Translations.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
-#include <QSettings>
 #include <QTimer>
 
 #include <algorithm>
@@ -65,8 +64,7 @@ int main(int argc, char* argv[])
   pemesh::InstallTranslations(application);
   Describe(parser);
   parser.process(application);
-  pemesh::ApplyTheme(application,
-    static_cast<pemesh::ThemeChoice>(QSettings().value(QStringLiteral("theme")).toInt()));
+  pemesh::ApplyPreferences(application);
   pemesh::StudioWindow window;
   window.show();
   const QStringList files = parser.positionalArguments();

@@ -27,6 +27,7 @@ struct SolverOption
   std::string Type = "string"; // string | integer | number
   std::string Default;
   std::string Description;
+  std::vector<std::string> Choices = {}; // the values of a string; none: any
   bool operator==(const SolverOption&) const = default;
 };
 

@@ -6,6 +6,7 @@
 #include "Correlation.h"
 #include "ParallelLoop.h"
 #include "PartialCorrelation.h"
+#include "SumOfProducts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,25 +79,6 @@ PreparedPair PreparePair(const PairsOfColumns& pairs, std::size_t pair, const Co
   return prepared;
 }
 
-/** In a fixed order, four sums at a time: quick, and the same bits everywhere. */
-double Dot(const std::vector<double>& u, const std::vector<double>& v)
-{
-  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-  const std::size_t whole = u.size() / 4 * 4;
-  for (std::size_t i = 0; i < whole; i += 4)
-  {
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      sums[k] += u[i + k] * v[i + k];
-    }
-  }
-  for (std::size_t i = whole; i < u.size(); ++i)
-  {
-    sums[0] += u[i] * v[i];
-  }
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
-
 std::vector<double> Centered(const std::vector<double>& sample)
 {
   const double mean =
@@ -123,9 +105,9 @@ public:
     {
       // Arrangements change neither means nor spreads: the sum of products tells them apart.
       this->Pair.X = Centered(this->Pair.X);
-      this->Scale = std::sqrt(
-        Dot(this->Pair.X, this->Pair.X) * Dot(Centered(this->Pair.Y), Centered(this->Pair.Y)));
-      this->Observed = std::fabs(Dot(this->Pair.X, this->Pair.Y)) / this->Scale;
+      this->Scale = std::sqrt(SumOfProducts(this->Pair.X, this->Pair.X) *
+        SumOfProducts(Centered(this->Pair.Y), Centered(this->Pair.Y)));
+      this->Observed = std::fabs(SumOfProducts(this->Pair.X, this->Pair.Y)) / this->Scale;
     }
   }
 
@@ -144,8 +126,8 @@ public:
 
   bool IsHit(const std::vector<double>& y)
   {
-    const double value =
-      this->ByProducts ? std::fabs(Dot(this->Pair.X, y)) / this->Scale : this->Evaluate(y);
+    const double value = this->ByProducts ? std::fabs(SumOfProducts(this->Pair.X, y)) / this->Scale
+                                          : this->Evaluate(y);
     return value >= this->Observed - 1e-12; // the same arrangement by another name is one too
   }
 

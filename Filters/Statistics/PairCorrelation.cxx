@@ -213,8 +213,9 @@ std::string DescribeTests(const PairsOfColumns& pairs, const PairOptions& option
   }
   const std::string label = KindOf(options).Label;
   std::string text = !HasArrangements(pairs, KindOf(options))
-    ? "no p-values: no arrangement of rows leaves a partial coefficient of " + label +
-      " as it would be by chance"
+    ? "no p-values: of partial coefficients only Spearman's and Pearson's have residuals that can "
+      "change places, " +
+      label + " has none"
     : options.Rows == RowsAre::Families ? DescribeFamilies(options)
                                         : std::string("p two-sided, for independent rows");
   text += "; p, interval and words go by " + label;

@@ -3,6 +3,7 @@
 #include "ResampledColumns.h"
 
 #include "CoefficientKinds.h"
+#include "SumOfProducts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,25 +18,6 @@ namespace
 {
 
 constexpr double Undefined = std::numeric_limits<double>::quiet_NaN();
-
-/** In a fixed order, four sums at a time: quick, and the same bits everywhere. */
-double Dot(std::span<const double> u, std::span<const double> v)
-{
-  double sums[4] = { 0.0, 0.0, 0.0, 0.0 };
-  const std::size_t whole = u.size() / 4 * 4;
-  for (std::size_t i = 0; i < whole; i += 4)
-  {
-    for (std::size_t k = 0; k < 4; ++k)
-    {
-      sums[k] += u[i + k] * v[i + k];
-    }
-  }
-  for (std::size_t i = whole; i < u.size(); ++i)
-  {
-    sums[0] += u[i] * v[i];
-  }
-  return (sums[0] + sums[1]) + (sums[2] + sums[3]);
-}
 
 } // namespace
 
@@ -237,7 +219,7 @@ void ResampledColumns::EvaluateProducts(const std::vector<int>& times, std::size
     const double squares = drawn.Squares[x] * drawn.Squares[y];
     if (squares > 0.0)
     {
-      const double product = Dot(drawn.WeightedOf(x), drawn.PlainOf(y));
+      const double product = SumOfProducts(drawn.WeightedOf(x), drawn.PlainOf(y));
       values[pair * samples + sample] = std::clamp(product / std::sqrt(squares), -1.0, 1.0);
     }
   }

@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 vtkStandardNewMacro(vtkPEMFindings);
 
@@ -225,6 +226,7 @@ void FillTable(vtkTable* table, const std::vector<Ranking>& rankings, vtkTable* 
   auto* joint = NewColumn<vtkStringArray>(table, "Joint");
   for (const Ranking& ranking : rankings)
   {
+    std::string jointly = ranking.Joint; // in the first row of the performance, as it is of all
     for (const RankedMetric& metric : ranking.Metrics)
     {
       performances->InsertNextValue(ranking.Performance);
@@ -240,7 +242,7 @@ void FillTable(vtkTable* table, const std::vector<Ranking>& rankings, vtkTable* 
       jointRanks->InsertNextValue(metric.JointRank);
       jointWeights->InsertNextValue(metric.JointWeight);
       sentences->InsertNextValue(SentenceOf(metric, pairs));
-      joint->InsertNextValue(ranking.Joint);
+      joint->InsertNextValue(std::exchange(jointly, std::string()));
     }
   }
 }

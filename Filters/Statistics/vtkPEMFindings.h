@@ -10,7 +10,7 @@
  *   `Performance`, `Metric` | `Rank` from 1 | `N`, `Coefficient`, `Tested`, `P`, `PHolm`,
  *   `PBenjaminiHochberg`, `Low`, `High` as of the correlation | `Words` | `JointRank`,
  *   `JointWeight` of the metric among all of them together | `Sentence` | `Joint` a sentence on all
- *   of them together, the same for all rows of a performance. GetText() is all of it to read.
+ *   of them together, in the first row of each performance. GetText() is all of it to read.
  *
  * Alone: by the size of the tested coefficient, then by how well the form fits, then by distance
  *   correlation. Metrics whose coefficient is undefined come last and without a rank (0).

@@ -62,6 +62,16 @@ JsonValue JsonOfScalar(const StudyScalar& value)
   return std::visit([](const auto& of) { return JsonValue{ of }; }, value);
 }
 
+void CheckChoice(const std::string& value, const SolverOption& option, const DocumentPlace& place)
+{
+  const std::vector<std::string>& choices = option.Choices;
+  if (!choices.empty() && std::find(choices.begin(), choices.end(), value) == choices.end())
+  {
+    place.Fail("is \"" + value + "\"; did you mean \"" + NearestWord(value, choices) +
+      "\"? (one of " + ShowChoices(choices) + ")");
+  }
+}
+
 Field<SolverOption> DefaultField()
 {
   return { "default", "a value of the type", "Without one, a run must give a number.",
@@ -75,6 +85,16 @@ Field<SolverOption> DefaultField()
     } };
 }
 
+Field<SolverOption> ChoicesField()
+{
+  Field<SolverOption> field =
+    TextsField("choices", &SolverOption::Choices, "The values of a string, if it has few.")
+      .Only([](const SolverOption& option) { return option.Type == "string"; }, "the type string");
+  field.Write = [](const SolverOption& option)
+  { return option.Choices.empty() ? std::nullopt : std::optional(WriteTextList(option.Choices)); };
+  return field;
+}
+
 FieldTable<SolverOption> OptionFields()
 {
   FieldTable<SolverOption> table;
@@ -82,7 +102,7 @@ FieldTable<SolverOption> OptionFields()
     TextField("name", &SolverOption::Name, "The placeholder in the command.").Required(),
     ChoiceField(
       "type", &SolverOption::Type, { "string", "integer", "number" }, "What a value may be."),
-    DefaultField(),
+    DefaultField(), ChoicesField(),
     TextField("description", &SolverOption::Description, "One sentence for the user.")
   };
   table.Finish = [](const DocumentPlace& place, SolverOption& option)
@@ -95,6 +115,7 @@ FieldTable<SolverOption> OptionFields()
           "is \"" + option.Name + "\", which has a meaning already: call the option otherwise.");
       }
     }
+    CheckChoice(option.Default, option, place.Member("default"));
   };
   return table;
 }
@@ -319,6 +340,7 @@ void CompleteOptions(
     if (given != run.Options.end())
     {
       text = ReadOptionValue(JsonOfScalar(given->second), place.Member(option.Name), option.Type);
+      CheckChoice(text, option, place.Member(option.Name));
     }
     else if (text.empty() && option.Type != "string")
     {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ChartSupport.h"
+#include "FontFiles.h"
 #include "vtkPEMChart.h"
 #include "vtkPEMFigure.h"
 #include "vtkPEMMeshView.h"
@@ -161,6 +162,24 @@ TEST(Figure, NumbersDoNotDependOnTheLocale)
   ASSERT_TRUE(MakeFigure()->Write(before));
   EXPECT_THAT(ReadBytes(before), testing::Not(HasSubstr("font-size=\"7,")));
   EXPECT_THAT(ReadBytes(before), HasSubstr("font-size=\"7.2\""));
+}
+
+TEST(Figure, SaysWhichFontIsDrawnInPlaceOfOneThatIsNotThere)
+{
+  const vtkSmartPointer<vtkPEMFigure> figure = MakeFigure();
+  vtkNew<vtkTest::ErrorObserver> observer;
+  figure->AddObserver(vtkCommand::WarningEvent, observer);
+  const std::string file = pemesh::TestPath("font.svg");
+  ASSERT_TRUE(figure->Write(file));
+  EXPECT_FALSE(observer->GetWarning()) << observer->GetWarningMessage();
+  pemesh::ChartStyle style;
+  style.FontFamily = "No Such Font";
+  figure->SetStyle(style);
+  ASSERT_TRUE(figure->Write(file)) << "it is drawn all the same";
+  EXPECT_THAT(observer->GetWarningMessage(),
+    HasSubstr("The font \"No Such Font\" is not installed, so that text is drawn in \""));
+  EXPECT_EQ(pemesh::WhyOtherFont("dejavu sans"), "") << "whatever the case";
+  EXPECT_EQ(pemesh::WhyOtherFont("serif"), "");
 }
 
 } // namespace

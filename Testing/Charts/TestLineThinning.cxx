@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "LineCells.h"
 #include "LineThinning.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <vector>
 
@@ -87,6 +90,84 @@ TEST(LineThinning, DenseLinesAreStrips)
   std::vector<float> back = line;
   back.insert(back.end(), line.begin(), line.end());
   EXPECT_TRUE(pemesh::StripOfLine(back, 1.0, 0.25).empty());
+}
+
+/** From end to end and back, in no order. */
+std::vector<float> TangledLine(std::size_t points, float width, float height)
+{
+  std::vector<float> line;
+  std::uint64_t state = 7;
+  const auto next = [&state](float size)
+  {
+    state = state * 6364136223846793005U + 1442695040888963407U;
+    return size * static_cast<float>(state >> 40) / static_cast<float>(1 << 24);
+  };
+  for (std::size_t i = 0; i < points; ++i)
+  {
+    line.push_back(next(width));
+    line.push_back(next(height));
+  }
+  return line;
+}
+
+TEST(LineCells, EverySegmentCountsHoweverFewAreMarkedOneByOne)
+{
+  const std::vector<float> line = TangledLine(3000, 400.0F, 300.0F);
+  const std::vector<unsigned char> all = pemesh::CellsOfLine(line, 400, 300, 1e12);
+  EXPECT_EQ(pemesh::CellsOfLine(line, 400, 300, 1e4), all);
+  EXPECT_EQ(pemesh::CellsOfLine(line, 400, 300, 3e5), all);
+}
+
+TEST(LineCells, AreThoseThatTheLineGoesThrough)
+{
+  constexpr int size = 50;
+  const std::vector<float> line = TangledLine(12, size, size);
+  const std::vector<unsigned char> cells = pemesh::CellsOfLine(line, size, size);
+  const auto isNear = [&cells](float x, float y)
+  {
+    for (const float dx : { -0.5F, 0.5F })
+    {
+      for (const float dy : { -0.5F, 0.5F })
+      {
+        const int column = std::clamp(static_cast<int>(std::floor(x + dx)), 0, size - 1);
+        const int row = std::clamp(static_cast<int>(std::floor(y + dy)), 0, size - 1);
+        if (cells[static_cast<std::size_t>(row * size + column)])
+        {
+          return true;
+        }
+      }
+    }
+    return false;
+  };
+  std::vector<unsigned char> through(cells.size(), 0);
+  for (std::size_t i = 0; i + 3 < line.size(); i += 2)
+  {
+    for (int step = 0; step <= 5000; ++step)
+    {
+      const float part = static_cast<float>(step) / 5000.0F;
+      const float x = line[i] + part * (line[i + 2] - line[i]);
+      const float y = line[i + 1] + part * (line[i + 3] - line[i + 1]);
+      ASSERT_TRUE(isNear(x, y)) << x << " " << y;
+      const int column = std::min(static_cast<int>(x), size - 1);
+      const int row = std::min(static_cast<int>(y), size - 1);
+      through[static_cast<std::size_t>(row * size + column)] = 1;
+    }
+  }
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    EXPECT_LE(cells[i], through[i]) << "only those, " << i;
+  }
+}
+
+TEST(LineCells, WhatIsFarOutOfSightCostsNothing)
+{
+  const std::vector<float> line{ -1e12F, 5.0F, 1e12F, 5.0F, 4.0F, 1e20F };
+  const std::vector<unsigned char> cells = pemesh::CellsOfLine(line, 10, 10);
+  for (int column = 0; column < 10; ++column)
+  {
+    EXPECT_EQ(cells[static_cast<std::size_t>(50 + column)], 1) << column;
+    EXPECT_EQ(cells[static_cast<std::size_t>(20 + column)], 0) << column;
+  }
 }
 
 } // namespace

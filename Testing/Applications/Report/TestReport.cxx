@@ -158,7 +158,7 @@ TEST(Report, ComparesSolversAndShowsTheHeatMap)
   results.close();
   std::ofstream findings(folder / "findings.csv");
   findings << "Performance,Metric,Rank,N,Words,Sentence,Joint\n";
-  for (const char* run : { "low_error", "high_error", "low_dofs" })
+  for (const char* run : { "low_error", "low_dofs", "high_error" })
   {
     findings << run << ",Area_min,1,8,strong,s,j\n" << run << ",Area_max,2,8,strong,s,j\n";
   }
@@ -168,6 +168,12 @@ TEST(Report, ComparesSolversAndShowsTheHeatMap)
   EXPECT_THAT(page, HasSubstr("Heat map of a matrix of correlation"));
   EXPECT_THAT(page, HasSubstr("Scatter chart coloured by solver"));
   EXPECT_THAT(page, HasSubstr("low from 0.13 to 1; high from 0.002 to 0.1"));
+  const auto place = [&page](const char* run)
+  { return page.find(run, page.find("Heat map of a matrix of correlation")); };
+  EXPECT_LT(place("<h3>high_error</h3>"), place("degrees of freedom, low</h3>"))
+    << "the same performance of all solvers together";
+  EXPECT_EQ(page.find("<p>j</p>"), page.rfind("<p>j</p>")) << "what is the same is said once";
+  EXPECT_NE(page.find("<p>j</p>"), std::string::npos);
   EXPECT_THAT(page, HasSubstr("%23648fff")) << "the first colour of the palette of the study";
 }
 

@@ -11,12 +11,26 @@
 #include <QWidget>
 
 #include <algorithm>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 
 namespace studio_test
 {
+
+namespace
+{
+
+/** Milliseconds of the processor. */
+qint64 WorkOfThread()
+{
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return 1000 * static_cast<qint64>(time.tv_sec) + time.tv_nsec / 1000000;
+}
+
+} // namespace
 
 bool WaitFor(const std::function<bool()>& condition, int milliseconds)
 {
@@ -66,15 +80,29 @@ Watchdog::Watchdog()
 {
   this->Timer.setInterval(0);
   QObject::connect(&this->Timer, &QTimer::timeout, &this->Timer,
-    [this] { this->Longest = std::max(this->Longest, this->Clock.restart()); });
+    [this]
+    {
+      this->Longest = std::max(this->Longest, this->Clock.restart());
+      const qint64 work = WorkOfThread();
+      this->LongestWork = std::max(this->LongestWork, work - this->Work);
+      this->Work = work;
+    });
   this->Restart();
   this->Timer.start();
+}
+
+std::string Watchdog::Describe() const
+{
+  return "longest stall " + std::to_string(this->Longest) + " ms, longest work of the window " +
+    std::to_string(this->LongestWork) + " ms";
 }
 
 void Watchdog::Restart()
 {
   this->Longest = 0;
+  this->LongestWork = 0;
   this->Clock.restart();
+  this->Work = WorkOfThread();
 }
 
 } // namespace studio_test

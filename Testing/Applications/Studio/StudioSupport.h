@@ -31,18 +31,26 @@ void Drag(QWidget* widget, const QPoint& from, const QPoint& to);
 
 std::string ReadFile(const std::string& path);
 
-/** The longest time between two turns of the event loop. */
+/**
+ * The longest time between two turns of the event loop. On a machine that has much else to do, what
+ * the window itself did in a turn says more: the time of its thread.
+ */
 class Watchdog
 {
 public:
   Watchdog();
   qint64 GetLongestStall() const { return this->Longest; }
+  qint64 GetLongestWork() const { return this->LongestWork; }
+  /** Both, for a person to read. */
+  std::string Describe() const;
   void Restart();
 
 private:
   QTimer Timer;
   QElapsedTimer Clock;
   qint64 Longest = 0;
+  qint64 Work = 0; // of the thread, at the last turn
+  qint64 LongestWork = 0;
 };
 
 } // namespace studio_test

@@ -220,7 +220,7 @@ TEST_F(StudioAccess, EveryControlHasAName)
   this->Window.GetModel()->AddItem(
     "solvers", { JsonValue::Object{ { "solver", { std::string("pemesh-vem") } } } }, "solver");
   EXPECT_THAT(Nameless(this->Window), IsEmpty());
-  const StyleDialog style;
+  const StyleDialog style(this->Window.GetModel());
   EXPECT_THAT(Nameless(style), IsEmpty());
   const MeshChoiceDialog choice(this->Window.GetModel()->GetStudy(), {});
   EXPECT_THAT(Nameless(choice), IsEmpty());

@@ -11,12 +11,14 @@
 #include <gmock/gmock.h>
 
 #include <QApplication>
+#include <QElapsedTimer>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTableWidget>
 #include <QTest>
 #include <QTimer>
 
+#include <cstdio>
 #include <fstream>
 
 using namespace pemesh;
@@ -26,6 +28,19 @@ using studio_test::WaitFor;
 
 namespace
 {
+
+/** Processes of whoever started them that have a text in their command lines. */
+int CountProcesses(const std::string& text)
+{
+  int count = 0;
+  std::error_code ignored; // of those that end meanwhile
+  for (const auto& entry : std::filesystem::directory_iterator("/proc", ignored))
+  {
+    const std::string line = ReadFile((entry.path() / "cmdline").string());
+    count += line.find(text) != std::string::npos ? 1 : 0;
+  }
+  return count;
+}
 
 class StudioRuns : public studio_test::Studio
 {
@@ -121,8 +136,14 @@ TEST_F(StudioRuns, ClosingDuringARunPausesItForTheNextTime)
 {
   const std::filesystem::path folder = this->MakeGatedStudy("closed", 4);
   ASSERT_TRUE(this->RunUntil(2));
+  const std::string script = (folder / "gated.sh").string();
+  ASSERT_TRUE(WaitFor([&] { return CountProcesses(script) > 0; })) << "a mesh is being solved";
+  QElapsedTimer clock;
+  clock.start();
   this->Window.close();
   ASSERT_TRUE(WaitFor([this] { return !this->Window.isVisible(); }));
+  std::printf("closed during a run in %lld ms\n", static_cast<long long>(clock.elapsed()));
+  EXPECT_EQ(CountProcesses(script), 0) << "it leaves no process";
   EXPECT_FALSE(this->Controller()->IsRunning());
   EXPECT_FALSE(std::filesystem::exists(folder / "closed"));
 

@@ -191,8 +191,7 @@ TEST_F(Studio, TheWindowStaysAliveWhileTheSliderMovesAndTheMeshIsMade)
   }
   ASSERT_TRUE(this->WaitForMesh());
   RecordProperty("longest-stall-milliseconds", static_cast<int>(watchdog.GetLongestStall()));
-  std::printf("longest stall: %lld ms, %lld elements\n",
-    static_cast<long long>(watchdog.GetLongestStall()),
+  std::printf("slider: %s, %lld elements\n", watchdog.Describe().c_str(),
     static_cast<long long>(this->Window.GetPreview()->GetPicture()->GetNumberOfElements()));
 }
 

@@ -5,7 +5,9 @@
  */
 #include "NumberText.h"
 #include "ProgramRun.h"
+#include "TestProblems.h"
 #include "VirtualElementMethod.h"
+#include "VirtualElementOptions.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -15,6 +17,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <optional>
 #include <set>
 #include <sstream>
@@ -278,6 +281,35 @@ TEST(VEMSolver, UndefinedAndMeaninglessNumbersAreMentioned)
     RunSolver({ "--mesh", (folder / "flat.off").string(), "--output", folder.string() });
   EXPECT_EQ(flat.ExitCode, 0) << flat.Errors;
   EXPECT_THAT(flat.Errors, HasSubstr("beyond double precision"));
+}
+
+/** The names of a table. */
+template <typename Table>
+std::vector<std::string> NamesIn(const Table& table)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : table)
+  {
+    names.emplace_back(entry.Name);
+  }
+  return names;
+}
+
+TEST(VEMSolver, TheDescriptionOffersWhatThereIsToChoose)
+{
+  std::ifstream file(PEMESH_SOURCE_DIR "/Applications/Solvers/pemesh-vem.json");
+  std::map<std::string, std::vector<std::string>> choices;
+  const nlohmann::json description = nlohmann::json::parse(file);
+  for (const nlohmann::json& option : description["options"])
+  {
+    choices[option["name"]] = option.value("choices", std::vector<std::string>());
+  }
+  EXPECT_EQ(choices["problem"], NamesIn(pemesh::TestProblems()));
+  EXPECT_EQ(choices["basis"], NamesIn(pemesh::BasisRules()));
+  EXPECT_EQ(choices["stabilisation"], NamesIn(pemesh::StabilisationRules()));
+  EXPECT_EQ(choices["p0"], NamesIn(pemesh::ProjectionConstants()));
+  EXPECT_EQ(choices["load"], NamesIn(pemesh::LoadProjections()));
+  EXPECT_EQ(choices["linear-solver"], NamesIn(pemesh::SolverKinds()));
 }
 
 TEST(VEMSolver, TheDescriptionNamesWhatTheProgramWrites)

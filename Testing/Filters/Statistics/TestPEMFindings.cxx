@@ -70,6 +70,7 @@ TEST(PEMFindings, RanksMetricsAloneAndJointly)
   EXPECT_EQ(result->GetValueByName(0, "JointRank").ToInt(), 1);
   EXPECT_NEAR(result->GetValueByName(0, "JointWeight").ToDouble(), -1.0, 0.05);
   EXPECT_THAT(TextAt(result, 0, "Joint"), HasSubstr("Jointly, 2 metrics predict"));
+  EXPECT_EQ(TextAt(result, 1, "Joint"), "") << "once for each performance";
   const std::string text = findings->GetText();
   EXPECT_THAT(text, HasSubstr("vem_error (30 rows of 6 families)"));
   EXPECT_THAT(text,

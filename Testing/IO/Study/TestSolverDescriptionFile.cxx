@@ -25,7 +25,7 @@ const char* Toy = R"({
   "options": [
     {"name": "order", "type": "integer", "default": 2, "description": "Order."},
     {"name": "tol", "type": "number"},
-    {"name": "how", "default": "fast"}],
+    {"name": "how", "default": "fast", "choices": ["fast", "exact"]}],
   "performances": [{"name": "err", "label": "Error", "scale": "log"},
                    {"name": "seconds", "measured": true}],
   "time-limit": 12.5, "version-command": ["toy", "--version"]
@@ -203,6 +203,9 @@ TEST_F(SolverSearch, OptionsOfRunsAreChecked)
     "\"s\": solvers[0].tol is \"small\" where a number is expected.");
   EXPECT_EQ(
     complaint(R"("tol": 1, "how": 7)"), "\"s\": solvers[0].how is 7 where a text is expected.");
+  EXPECT_EQ(complaint(R"("tol": 1, "how": "exakt")"),
+    "\"s\": solvers[0].how is \"exakt\"; did you mean \"exact\"? (one of fast, exact)");
+  EXPECT_EQ(complaint(R"("tol": 1, "how": "exact")"), "nothing thrown");
 }
 
 TEST(SolverFolders, EnvironmentComesFirst)
