@@ -16,6 +16,19 @@ std::size_t SizeOf(NumberType type)
   return sizes[static_cast<std::size_t>(type)];
 }
 
+NumberType ReadNumberType(
+  LineScanner& file, std::span<const NumberTypeName> names, const char* unknown)
+{
+  const std::string_view word = file.Word();
+  const auto found = std::find_if(
+    names.begin(), names.end(), [&](const NumberTypeName& type) { return word == type.Name; });
+  if (found == names.end())
+  {
+    file.Fail(unknown);
+  }
+  return found->Type;
+}
+
 std::string_view BinaryScanner::Take(std::size_t bytes)
 {
   if (bytes > this->Data.size())

@@ -11,8 +11,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 namespace pemesh
 {
@@ -32,6 +34,17 @@ enum class NumberType
 
 /** In bytes. */
 std::size_t SizeOf(NumberType type);
+
+/** What a format calls a type. */
+struct NumberTypeName
+{
+  const char* Name;
+  NumberType Type;
+};
+
+/** The type that the next word of the line names; an error that says `unknown` if it names none. */
+NumberType ReadNumberType(
+  LineScanner& file, std::span<const NumberTypeName> names, const char* unknown);
 
 class BinaryScanner
 {

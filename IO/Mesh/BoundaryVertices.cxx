@@ -5,36 +5,66 @@
 #include "ElementAccess.h"
 
 #include <algorithm>
-#include <utility>
+#include <cstddef>
 
 #include <vtkPolyData.h>
 
 namespace pemesh
 {
 
-std::vector<char> MarkBoundaryVertices(vtkPolyData* mesh)
+namespace
 {
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+
+/** Hands over the ends of each side of each element, the smaller number first. */
+template <typename Use>
+void ForEachSide(vtkPolyData* mesh, const Use& use)
+{
   ElementAccess elements(mesh);
   std::vector<vtkIdType> ids;
   for (vtkIdType i = 0; i < elements.GetNumberOfElements(); ++i)
   {
     elements.GetVertexIds(i, ids);
-    for (std::size_t j = 0; j < ids.size(); ++j)
+    vtkIdType before = ids.empty() ? 0 : ids.back();
+    for (const vtkIdType id : ids)
     {
-      edges.push_back(std::minmax({ ids[j], ids[(j + 1) % ids.size()] }));
+      const auto [low, high] = std::minmax(before, id);
+      use(static_cast<std::size_t>(low), high);
+      before = id;
     }
   }
-  std::sort(edges.begin(), edges.end());
-  std::vector<char> markers(static_cast<std::size_t>(mesh->GetNumberOfPoints()), 0);
-  for (std::size_t i = 0; i < edges.size(); ++i)
+}
+
+} // namespace
+
+std::vector<char> MarkBoundaryVertices(vtkPolyData* mesh)
+{
+  // The other ends of the sides at each vertex, one vertex after the other: no large sort.
+  const auto vertices = static_cast<std::size_t>(mesh->GetNumberOfPoints());
+  std::vector<std::size_t> begin(vertices + 1, 0);
+  ForEachSide(mesh, [&](std::size_t low, vtkIdType) { ++begin[low]; });
+  std::size_t sum = 0;
+  for (std::size_t& first : begin)
   {
-    const bool shared =
-      (i > 0 && edges[i] == edges[i - 1]) || (i + 1 < edges.size() && edges[i] == edges[i + 1]);
-    if (!shared)
+    sum += first;
+    first = sum; // the end so far: filling moves it to the beginning
+  }
+  std::vector<vtkIdType> others(sum);
+  ForEachSide(mesh, [&](std::size_t low, vtkIdType high) { others[--begin[low]] = high; });
+  std::vector<char> markers(vertices, 0);
+  for (std::size_t i = 0; i < vertices; ++i)
+  {
+    const auto first = others.begin() + static_cast<std::ptrdiff_t>(begin[i]);
+    const auto last = others.begin() + static_cast<std::ptrdiff_t>(begin[i + 1]);
+    std::sort(first, last); // few: the degree of a vertex
+    for (auto other = first; other != last;)
     {
-      markers[static_cast<std::size_t>(edges[i].first)] = 1;
-      markers[static_cast<std::size_t>(edges[i].second)] = 1;
+      const auto next = std::upper_bound(other, last, *other);
+      if (next - other == 1)
+      {
+        markers[i] = 1;
+        markers[static_cast<std::size_t>(*other)] = 1;
+      }
+      other = next;
     }
   }
   return markers;

@@ -11,8 +11,8 @@
 namespace pemesh
 {
 
-void ForEachCutElement(
-  vtkPolyData* mesh, int mostCorners, const std::function<void(std::span<const vtkIdType>)>& use)
+void ForEachCutElement(vtkPolyData* mesh, int mostCorners,
+  const std::function<void(vtkIdType, std::span<const vtkIdType>)>& use)
 {
   ElementAccess elements(mesh);
   PolygonTriangulator triangulator;
@@ -23,7 +23,7 @@ void ForEachCutElement(
     elements.GetVertexIds(i, ids);
     if (ids.size() <= static_cast<std::size_t>(mostCorners))
     {
-      use(ids);
+      use(i, ids);
       continue;
     }
     elements.GetVertices(i, vertices);
@@ -34,7 +34,7 @@ void ForEachCutElement(
       {
         corners[j] = ids[static_cast<std::size_t>(triangle[j])];
       }
-      use(corners);
+      use(i, corners);
     }
   }
 }

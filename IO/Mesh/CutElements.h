@@ -16,10 +16,10 @@ class vtkPolyData;
 namespace pemesh
 {
 
-/** Hands over the vertices of each element in order, those of elements with more than
- * `mostCorners` vertices as triangles, which fill the element, concave or not. */
-void ForEachCutElement(
-  vtkPolyData* mesh, int mostCorners, const std::function<void(std::span<const vtkIdType>)>& use);
+/** Hands over the vertices of each element in order, with its number, those of elements with more
+ * than `mostCorners` vertices as triangles, which fill the element, concave or not. */
+void ForEachCutElement(vtkPolyData* mesh, int mostCorners,
+  const std::function<void(vtkIdType, std::span<const vtkIdType>)>& use);
 
 } // namespace pemesh
 

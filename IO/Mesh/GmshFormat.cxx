@@ -305,7 +305,7 @@ void WriteGmsh(const std::filesystem::path& path, vtkPolyData* mesh)
   TextBuffer lines;
   std::int64_t count = 0;
   ForEachCutElement(mesh, 4,
-    [&](std::span<const vtkIdType> element)
+    [&](vtkIdType, std::span<const vtkIdType> element)
     {
       lines.AppendValue(++count);
       // Two tags are usual: the physical group 1 and the elementary entity 1.

@@ -27,21 +27,13 @@ namespace pemesh
 namespace
 {
 
-struct TypeName
-{
-  const char* Name;
-  NumberType Type;
-};
-
-constexpr std::array TypeNames{ TypeName{ "char", NumberType::Int8 },
-  TypeName{ "int8", NumberType::Int8 }, TypeName{ "uchar", NumberType::UInt8 },
-  TypeName{ "uint8", NumberType::UInt8 }, TypeName{ "short", NumberType::Int16 },
-  TypeName{ "int16", NumberType::Int16 }, TypeName{ "ushort", NumberType::UInt16 },
-  TypeName{ "uint16", NumberType::UInt16 }, TypeName{ "int", NumberType::Int32 },
-  TypeName{ "int32", NumberType::Int32 }, TypeName{ "uint", NumberType::UInt32 },
-  TypeName{ "uint32", NumberType::UInt32 }, TypeName{ "float", NumberType::Float32 },
-  TypeName{ "float32", NumberType::Float32 }, TypeName{ "double", NumberType::Float64 },
-  TypeName{ "float64", NumberType::Float64 } };
+constexpr NumberTypeName TypeNames[] = { { "char", NumberType::Int8 }, { "int8", NumberType::Int8 },
+  { "uchar", NumberType::UInt8 }, { "uint8", NumberType::UInt8 }, { "short", NumberType::Int16 },
+  { "int16", NumberType::Int16 }, { "ushort", NumberType::UInt16 },
+  { "uint16", NumberType::UInt16 }, { "int", NumberType::Int32 }, { "int32", NumberType::Int32 },
+  { "uint", NumberType::UInt32 }, { "uint32", NumberType::UInt32 },
+  { "float", NumberType::Float32 }, { "float32", NumberType::Float32 },
+  { "double", NumberType::Float64 }, { "float64", NumberType::Float64 } };
 
 /** What a property is to a mesh. */
 enum class Role
@@ -82,14 +74,7 @@ struct Header
 
 NumberType ReadType(LineScanner& file)
 {
-  const std::string_view word = file.Word();
-  const auto* found = std::find_if(
-    TypeNames.begin(), TypeNames.end(), [&](const TypeName& type) { return word == type.Name; });
-  if (found == TypeNames.end())
-  {
-    file.Fail("a property has a type that PLY does not know");
-  }
-  return found->Type;
+  return ReadNumberType(file, TypeNames, "a property has a type that PLY does not know");
 }
 
 Encoding ReadEncoding(LineScanner& file)

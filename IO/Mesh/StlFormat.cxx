@@ -198,7 +198,7 @@ void WriteStl(const std::filesystem::path& path, vtkPolyData* mesh)
   TextBuffer text;
   text.Append("solid pemesh\n");
   ForEachCutElement(mesh, 3,
-    [&](std::span<const vtkIdType> triangle)
+    [&](vtkIdType, std::span<const vtkIdType> triangle)
     {
       text.Append("facet normal 0 0 1\nouter loop\n");
       for (const vtkIdType vertex : triangle)

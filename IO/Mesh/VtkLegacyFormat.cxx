@@ -29,19 +29,13 @@ namespace pemesh
 namespace
 {
 
-struct TypeName
-{
-  const char* Name;
-  NumberType Type;
-};
-
-constexpr std::array TypeNames{ TypeName{ "float", NumberType::Float32 },
-  TypeName{ "double", NumberType::Float64 }, TypeName{ "int", NumberType::Int32 },
-  TypeName{ "vtkIdType", NumberType::Int32 }, // so it is in these files
-  TypeName{ "unsigned_int", NumberType::UInt32 }, TypeName{ "long", NumberType::Int64 },
-  TypeName{ "vtktypeint64", NumberType::Int64 }, TypeName{ "short", NumberType::Int16 },
-  TypeName{ "unsigned_short", NumberType::UInt16 }, TypeName{ "char", NumberType::Int8 },
-  TypeName{ "unsigned_char", NumberType::UInt8 } };
+constexpr NumberTypeName TypeNames[] = { { "float", NumberType::Float32 },
+  { "double", NumberType::Float64 }, { "int", NumberType::Int32 },
+  { "vtkIdType", NumberType::Int32 }, // so it is in these files
+  { "unsigned_int", NumberType::UInt32 }, { "long", NumberType::Int64 },
+  { "vtktypeint64", NumberType::Int64 }, { "short", NumberType::Int16 },
+  { "unsigned_short", NumberType::UInt16 }, { "char", NumberType::Int8 },
+  { "unsigned_char", NumberType::UInt8 } };
 
 /** What may follow the words between which METADATA stands. */
 constexpr std::array Keywords{ "POINTS", "VERTICES", "LINES", "POLYGONS", "TRIANGLE_STRIPS",
@@ -165,14 +159,7 @@ private:
 
   NumberType ReadType()
   {
-    const std::string_view word = this->File.Word();
-    const auto* found = std::find_if(
-      TypeNames.begin(), TypeNames.end(), [&](const TypeName& type) { return word == type.Name; });
-    if (found == TypeNames.end())
-    {
-      this->File.Fail("the type of the numbers is not known");
-    }
-    return found->Type;
+    return ReadNumberType(this->File, TypeNames, "the type of the numbers is not known");
   }
 
   /** Before `count` numbers of a type are read by Number() or Integer(). */

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <fstream>
 #include <stdexcept>
 
 #include <vtkCallbackCommand.h>
@@ -138,29 +140,59 @@ std::size_t NumberInTag(std::string_view tag, std::string_view name)
   return result.ec == std::errc::result_out_of_range ? std::string_view::npos : value;
 }
 
+/** Calls `use` with each tag of the file, from < on, and keeps a block of it in memory. */
+template <typename Use>
+void ForEachTag(const std::filesystem::path& path, const Use& use)
+{
+  constexpr std::size_t blockSize = 1 << 20;
+  std::ifstream file(path, std::ios::binary);
+  std::string text; // what is left of the blocks before, then a block
+  while (file)
+  {
+    const std::size_t kept = text.size();
+    text.resize(kept + blockSize);
+    file.read(text.data() + kept, blockSize);
+    text.resize(kept + static_cast<std::size_t>(file.gcount()));
+    std::size_t begin = text.find('<');
+    while (begin != std::string::npos)
+    {
+      const std::size_t end = text.find('>', begin);
+      if (end == std::string::npos)
+      {
+        break;
+      }
+      if (!use(std::string_view(text).substr(begin, end - begin)))
+      {
+        return;
+      }
+      begin = text.find('<', end);
+    }
+    // A tag that fills a whole block is none of VTK's.
+    const bool goesOn = begin != std::string::npos && text.size() - begin < blockSize;
+    text.erase(0, goesOn ? begin : text.size());
+  }
+}
+
 /** VTK takes the memory that the counts of a file ask for before it reads: they must be such that
  * the file could hold them, with the best that its compressors do (zlib, 1 to 1032). */
 void CheckCounts(const std::filesystem::path& path, const char* kind)
 {
-  const std::string text = ReadTextFile(path);
-  constexpr std::size_t mostCompression = 1032;
-  const std::size_t most = text.size() * mostCompression;
+  ReadTextFile(path, 1); // says what is wrong where there is no such file
+  constexpr std::uintmax_t mostCompression = 1032;
+  const std::uintmax_t most = std::filesystem::file_size(path) * mostCompression;
   std::size_t components = 1;
   std::size_t largest = 0;
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at + 1))
-  {
-    const std::string_view tag = std::string_view(text).substr(at, text.find('>', at) - at);
-    components = std::max(components, NumberInTag(tag, "NumberOfComponents"));
-    for (const char* name : { "NumberOfPoints", "NumberOfCells", "NumberOfPolys", "NumberOfVerts",
-           "NumberOfLines", "NumberOfStrips", "NumberOfTuples" })
+  ForEachTag(path,
+    [&](std::string_view tag)
     {
-      largest = std::max(largest, NumberInTag(tag, name));
-    }
-    if (tag.substr(0, 13) == "<AppendedData")
-    {
-      break; // bytes, not tags
-    }
-  }
+      components = std::max(components, NumberInTag(tag, "NumberOfComponents"));
+      for (const char* name : { "NumberOfPoints", "NumberOfCells", "NumberOfPolys", "NumberOfVerts",
+             "NumberOfLines", "NumberOfStrips", "NumberOfTuples" })
+      {
+        largest = std::max(largest, NumberInTag(tag, name));
+      }
+      return tag.substr(0, 13) != "<AppendedData"; // behind it are bytes, not tags
+    });
   if (largest > most / components)
   {
     FailMeshFile(
@@ -227,24 +259,27 @@ void CheckOffsets(const std::filesystem::path& path, vtkCellArray* cells, const 
 
 void MakePointsPlanar(const std::filesystem::path& path, vtkPointSet* mesh)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  if (mesh->GetPoints())
+  if (!mesh->GetPoints() || !vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData()))
   {
-    points->DeepCopy(mesh->GetPoints()); // keeps the type of `points`
+    vtkNew<vtkPoints> points;
+    points->SetDataTypeToDouble();
+    if (mesh->GetPoints())
+    {
+      points->DeepCopy(mesh->GetPoints()); // keeps the type of `points`
+    }
+    mesh->SetPoints(points);
   }
-  for (vtkIdType i = 0; i < points->GetNumberOfPoints(); ++i)
+  auto* coordinates = vtkDoubleArray::SafeDownCast(mesh->GetPoints()->GetData());
+  double* point = coordinates->GetPointer(0);
+  for (vtkIdType i = 0; i < coordinates->GetNumberOfTuples(); ++i, point += 3)
   {
-    double point[3];
-    points->GetPoint(i, point);
     if (!std::isfinite(point[0]) || !std::isfinite(point[1]) || point[2] != 0.0)
     {
       FailMeshFile(path,
         "has a vertex, " + std::to_string(i) + ", that is not a finite point of the plane z = 0");
     }
-    points->SetPoint(i, point[0], point[1], 0.0);
+    point[2] = 0.0;
   }
-  mesh->SetPoints(points);
 }
 
 vtkSmartPointer<vtkPolyData> BareCopy(vtkPolyData* mesh)

@@ -35,6 +35,20 @@ bool IsPolygon(int type)
   return type == VTK_TRIANGLE || type == VTK_QUAD || type == VTK_POLYGON || type == VTK_PIXEL;
 }
 
+/** Whether the cells of the grid are elements as they stand. */
+bool HasOnlyPolygons(vtkUnstructuredGrid* grid)
+{
+  const vtkUnsignedCharArray* types = grid->GetCellTypesArray();
+  for (vtkIdType i = 0; i < grid->GetNumberOfCells(); ++i)
+  {
+    if (const int type = types->GetValue(i); !IsPolygon(type) || type == VTK_PIXEL)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 /** The polygons of the grid and the numbers of their cells. */
 vtkSmartPointer<vtkCellArray> PolygonsOfGrid(
   const std::filesystem::path& path, vtkUnstructuredGrid* grid, vtkIdList* kept)
@@ -65,6 +79,38 @@ vtkSmartPointer<vtkCellArray> PolygonsOfGrid(
   return polygons;
 }
 
+void CheckUsable(const std::filesystem::path& path, vtkPolyData* mesh)
+{
+  const std::string reason = ElementAccess::WhyUnusable(mesh);
+  if (!reason.empty())
+  {
+    FailMeshFile(path, "cannot be used: " + reason);
+  }
+}
+
+/** The elements of the grid with their arrays and those of the vertices. */
+void TakePolygons(const std::filesystem::path& path, vtkUnstructuredGrid* grid, vtkPolyData* mesh)
+{
+  if (HasOnlyPolygons(grid)) // as in all that WriteVtu writes: nothing is copied
+  {
+    mesh->SetPolys(grid->GetCells());
+    CheckUsable(path, mesh);
+    mesh->GetPointData()->ShallowCopy(grid->GetPointData());
+    mesh->GetCellData()->ShallowCopy(grid->GetCellData());
+    return;
+  }
+  vtkNew<vtkIdList> kept;
+  mesh->SetPolys(PolygonsOfGrid(path, grid, kept));
+  CheckUsable(path, mesh);
+  mesh->GetPointData()->ShallowCopy(grid->GetPointData());
+  mesh->GetCellData()->CopyAllOn();
+  mesh->GetCellData()->CopyAllocate(grid->GetCellData(), kept->GetNumberOfIds());
+  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
+  {
+    mesh->GetCellData()->CopyData(grid->GetCellData(), kept->GetId(i), i);
+  }
+}
+
 } // namespace
 
 vtkSmartPointer<vtkPolyData> ReadVtu(const std::filesystem::path& path)
@@ -85,20 +131,7 @@ vtkSmartPointer<vtkPolyData> ReadVtu(const std::filesystem::path& path)
   {
     FailMeshFile(path, "cannot be read as VTU: it has not as many cells as types of cells");
   }
-  vtkNew<vtkIdList> kept;
-  mesh->SetPolys(PolygonsOfGrid(path, grid, kept));
-  const std::string reason = ElementAccess::WhyUnusable(mesh);
-  if (!reason.empty())
-  {
-    FailMeshFile(path, "cannot be used: " + reason);
-  }
-  mesh->GetPointData()->ShallowCopy(grid->GetPointData());
-  mesh->GetCellData()->CopyAllOn();
-  mesh->GetCellData()->CopyAllocate(grid->GetCellData(), kept->GetNumberOfIds());
-  for (vtkIdType i = 0; i < kept->GetNumberOfIds(); ++i)
-  {
-    mesh->GetCellData()->CopyData(grid->GetCellData(), kept->GetId(i), i);
-  }
+  TakePolygons(path, grid, mesh);
   return mesh;
 }
 
