@@ -18,10 +18,10 @@ build_packages="g++ cmake ninja-build ccache pkg-config ca-certificates help2man
   libvtk9-dev libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev
   libspectra-dev libginac-dev libmetis-dev libmatio-dev zlib1g-dev
   libcairo2-dev libfontconfig-dev qt6-base-dev nlohmann-json3-dev libcli11-dev
-  libgtest-dev libgmock-dev"
+  libgtest-dev libgmock-dev libopenmpi-dev"
 run_packages="fonts-dejavu-core python3 python3-dev python3-vtk9 python3-numpy"
 # octave, which one more test needs, is large: it runs where octave-cli is installed.
-test_packages="librsvg2-bin poppler-utils xvfb"
+test_packages="librsvg2-bin poppler-utils xvfb openmpi-bin"
 
 say() { printf '==> %s\n' "$*"; }
 fail() { printf 'bootstrap.sh: %s\n' "$*" >&2; exit 1; }

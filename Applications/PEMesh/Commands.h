@@ -21,6 +21,9 @@ namespace pemesh
 /** run, generate, solve: what the Runner does. */
 void AddStudyCommands(CLI::App& program, int& exitCode);
 
+/** slurm: a study as a batch script. */
+void AddSlurmCommand(CLI::App& program, int& exitCode);
+
 /** metrics: mesh files, one after the other. */
 void AddMetricsCommand(CLI::App& program, int& exitCode);
 

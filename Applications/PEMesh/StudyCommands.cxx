@@ -6,6 +6,8 @@
 #include "Commands.h"
 #include "MeshFormats.h"
 #include "NumberText.h"
+#include "RankChannel.h"
+#include "Ranks.h"
 #include "Terminal.h"
 #include "vtkPEMRunner.h"
 
@@ -66,18 +68,22 @@ void StopActiveRunner(int)
 }
 
 /** Runs, tells what went wrong and where the results are. */
-int RunToEnd(vtkPEMRunner* runner, const std::string& label)
+int RunToEnd(vtkPEMRunner* runner, RankChannel* channel, const std::string& label)
 {
+  runner->SetRankChannel(channel);
   ActiveRunner = runner;
   std::signal(SIGINT, StopActiveRunner);
   std::signal(SIGTERM, StopActiveRunner);
+  std::signal(SIGUSR1, StopActiveRunner); // mpiexec passes it on and waits
+  std::signal(SIGXFSZ, SIG_IGN);          // a file that may not grow is an error as on a full disk
   bool done = false;
   {
-    const ProgressBar bar(runner, label);
+    const ProgressBar bar(runner, label, channel != nullptr);
     done = runner->Run();
   }
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
+  std::signal(SIGUSR1, SIG_DFL);
   ActiveRunner = nullptr;
   for (const std::string& message : runner->GetMessages())
   {
@@ -103,8 +109,8 @@ int RunToEnd(vtkPEMRunner* runner, const std::string& label)
 void AddRunOptions(CLI::App* command, RunArguments& arguments)
 {
   command
-    ->add_option(
-      "-j,--jobs", arguments.Workers, "Meshes worked on at the same time (default: one a core)")
+    ->add_option("-j,--jobs", arguments.Workers,
+      "Meshes worked on at the same time, by each process (default: one a core)")
     ->check(CLI::Range(1, 1024));
   command->add_flag("--resume", arguments.Resume,
     "Go on from what the folder holds: what is done and has not changed is not done again");
@@ -117,7 +123,8 @@ void AddSolverOptions(CLI::App* command, RunArguments& arguments)
     ->check(CLI::Range(0, 1000));
   command
     ->add_option("--memory", arguments.Memory,
-      "MiB that solvers at work may take together; they wait for each other (default: any)")
+      "MiB that solvers at work on one machine may take together; they wait for each other "
+      "(default: any)")
     ->check(CLI::PositiveNumber);
 }
 
@@ -128,6 +135,21 @@ void ApplyRunOptions(vtkPEMRunner* runner, const RunArguments& arguments)
   runner->SetResume(arguments.Resume);
   runner->SetRetries(arguments.Retries);
   runner->SetSolverMemory(arguments.Memory);
+}
+
+int RunStudy(const StudyArguments& arguments, RankChannel* channel)
+{
+  vtkNew<vtkPEMRunner> runner;
+  runner->SetStudyFile(arguments.Study);
+  ApplyRunOptions(runner, arguments);
+  for (const std::string& setting : arguments.Settings)
+  {
+    runner->AddSetting(setting);
+  }
+  const int exitCode = RunToEnd(runner, channel, "run");
+  return arguments.Report && exitCode != WrongUsage
+    ? std::max(exitCode, WriteReport(runner->GetOutputDirectory(), ""))
+    : exitCode;
 }
 
 void AddRun(CLI::App& program, int& exitCode)
@@ -147,20 +169,8 @@ void AddRun(CLI::App& program, int& exitCode)
   command->add_flag(
     "--report", arguments->Report, "Put all of it on one page too: report.html in that folder");
   command->callback(
-    [arguments, &exitCode]
-    {
-      vtkNew<vtkPEMRunner> runner;
-      runner->SetStudyFile(arguments->Study);
-      ApplyRunOptions(runner, *arguments);
-      for (const std::string& setting : arguments->Settings)
-      {
-        runner->AddSetting(setting);
-      }
-      exitCode = RunToEnd(runner, "run");
-      if (arguments->Report && exitCode != WrongUsage)
-      {
-        exitCode = std::max(exitCode, WriteReport(runner->GetOutputDirectory(), ""));
-      }
+    [arguments, &exitCode] {
+      exitCode = RunWithRanks([&](RankChannel* channel) { return RunStudy(*arguments, channel); });
     });
 }
 
@@ -185,7 +195,8 @@ void AddGenerate(CLI::App& program, int& exitCode)
       ApplyRunOptions(runner, *arguments);
       runner->SetMeshesOnly(true);
       runner->SetMeshFormats(arguments->Formats);
-      exitCode = RunToEnd(runner, "generate");
+      exitCode =
+        RunWithRanks([&](RankChannel* channel) { return RunToEnd(runner, channel, "generate"); });
     });
 }
 
@@ -243,7 +254,8 @@ void AddSolve(CLI::App& program, int& exitCode)
       vtkNew<vtkPEMRunner> runner;
       runner->SetStudyText(SolveDocument(*arguments), fs::current_path().string());
       ApplyRunOptions(runner, *arguments);
-      exitCode = RunToEnd(runner, "solve");
+      exitCode =
+        RunWithRanks([&](RankChannel* channel) { return RunToEnd(runner, channel, "solve"); });
     });
 }
 

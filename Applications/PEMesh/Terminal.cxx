@@ -48,11 +48,12 @@ void InstallMessageHandler()
   vtkOutputWindow::SetInstance(handler);
 }
 
-ProgressBar::ProgressBar(vtkObject* source, const std::string& label)
+ProgressBar::ProgressBar(vtkObject* source, const std::string& label, bool inLog)
   : Source(source)
   , Label(label)
+  , InLog(inLog && !isatty(STDERR_FILENO))
 {
-  if (!isatty(STDERR_FILENO))
+  if (!isatty(STDERR_FILENO) && !inLog)
   {
     return;
   }
@@ -69,6 +70,9 @@ ProgressBar::~ProgressBar()
   if (this->Observer != 0)
   {
     this->Source->RemoveObserver(this->Observer);
+  }
+  if (this->Observer != 0 && !this->InLog)
+  {
     std::cerr << "\r\033[K" << std::flush;
   }
 }
@@ -79,6 +83,16 @@ void ProgressBar::Draw(double fraction)
   const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
   if (percent == this->Drawn)
   {
+    return;
+  }
+  if (this->InLog)
+  {
+    constexpr int step = 10;
+    if (percent / step != this->Drawn / step)
+    {
+      std::cerr << this->Label << " " << percent - percent % step << " %" << std::endl;
+    }
+    this->Drawn = percent;
     return;
   }
   this->Drawn = percent;

@@ -28,11 +28,14 @@ void Complain(const std::string& message);
 /** Routes VTK's warnings and errors to standard error, one line each. */
 void InstallMessageHandler();
 
-/** Draws the ProgressEvents of an object as a bar until it goes out of scope. */
+/**
+ * Draws the ProgressEvents of an object as a bar until it goes out of scope, where standard error
+ * is a terminal; elsewhere, if it is the log of a long run, as a line every ten percent.
+ */
 class ProgressBar
 {
 public:
-  ProgressBar(vtkObject* source, const std::string& label);
+  ProgressBar(vtkObject* source, const std::string& label, bool inLog = false);
   ~ProgressBar();
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -42,6 +45,7 @@ private:
 
   vtkObject* Source;
   std::string Label;
+  bool InLog;
   unsigned long Observer = 0;
   int Drawn = -1;
 };

@@ -24,6 +24,7 @@ int RunProgram(int argc, char** argv)
 
   int exitCode = pemesh::AllDone;
   pemesh::AddStudyCommands(program, exitCode);
+  pemesh::AddSlurmCommand(program, exitCode);
   pemesh::AddMetricsCommand(program, exitCode);
   pemesh::AddRenderCommand(program, exitCode);
   pemesh::AddCheckCommand(program, exitCode);

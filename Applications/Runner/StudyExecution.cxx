@@ -2,26 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyExecution.h"
 
-#include "MemoryBudget.h"
-#include "MeshFormats.h"
-#include "SolverCommand.h"
+#include "RankDesk.h"
 #include "SolverDescription.h"
-#include "SolverQueue.h"
 #include "Study.h"
-#include "StudyCaseKey.h"
 #include "StudyCases.h"
 #include "StudyFigures.h"
 #include "StudyFolder.h"
 #include "StudyJournal.h"
-#include "StudyPipeline.h"
 #include "StudyResults.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <stdexcept>
 
 #include <vtkNew.h>
 #include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 #include <vtkTable.h>
 #include <vtkXMLPolyDataReader.h>
 
@@ -31,87 +26,37 @@ namespace pemesh
 {
 
 StudyExecution::StudyExecution(const Study& study, const std::vector<SolverDescription>& solvers,
-  const std::vector<StudyCase>& cases, const Options& options, StudyJournal& journal,
+  const std::vector<StudyCase>& cases, const std::vector<int>& toDo,
+  const CaseWorkers::Options& options, bool writesTables, StudyJournal& journal, RankDesk* desk,
   std::atomic<bool>& stop)
   : TheStudy(study)
   , Solvers(solvers)
   , Cases(cases)
+  , ToDo(toDo)
   , Chosen(options)
+  , WritesTables(writesTables)
   , Journal(journal)
+  , Desk(desk)
   , Stop(stop)
 {
-  if (HasMeshFiles(study))
-  {
-    this->MeshFiles = FindStudyMeshes(study);
-  }
-  constexpr double mebiByte = 1024.0 * 1024.0;
-  if (options.SolverMemory > 0.0)
-  {
-    this->Budget = std::make_unique<MemoryBudget>(mebiByte * options.SolverMemory);
-  }
 }
 
 StudyExecution::~StudyExecution() = default;
 
-void StudyExecution::WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh)
+std::optional<int> StudyExecution::Take()
 {
-  const fs::path folder = this->Chosen.MeshFolder;
-  if (mesh->GetNumberOfCells() == 0)
-  {
-    RemoveMeshFiles(folder, this->TheStudy, studyCase);
-    return; // its status says why
-  }
-  const vtkSmartPointer<vtkPolyData> saved = WithoutMeasured(mesh);
-  for (const std::string& name : this->TheStudy.Output.Formats)
-  {
-    const MeshFormat* format = FindMeshFormat(name);
-    if (!format)
-    {
-      throw std::runtime_error("\"" + name + "\" is no mesh format.");
-    }
-    format->Write(folder / (studyCase.Name + format->Extensions.front()), saved);
-  }
+  const std::size_t next = this->Stop ? this->ToDo.size() : this->NextCase++;
+  return next < this->ToDo.size() ? std::optional<int>(this->ToDo[next]) : std::nullopt;
 }
 
-void StudyExecution::ExecuteCase(
-  StudyPipeline& pipeline, const StudyCase& studyCase, const std::string& key)
+bool StudyExecution::Reuse(int index, const std::string& key)
 {
-  pipeline.Execute(studyCase);
-  if (this->Stop)
-  {
-    return; // what an abort leaves is no result
-  }
-  try
-  {
-    this->WriteMeshes(studyCase, pipeline.GetMesh());
-  }
-  catch (const std::exception& error)
-  {
-    this->Results->AddFailure(
-      { studyCase.Index, studyCase.Name, "output", "not-written", error.what() });
-  }
-  this->Figures->KeepMesh(studyCase, pipeline.GetMesh());
-  try
-  {
-    const std::string line = this->Results->AddRow(studyCase, key, pipeline.GetRow());
-    const std::scoped_lock lock(this->Mutex);
-    this->Lines.push_back(line);
-  }
-  catch (const std::exception& error)
-  {
-    const std::scoped_lock lock(this->Mutex);
-    this->Interruption = error.what();
-    this->Stop = true;
-  }
-}
-
-bool StudyExecution::ReuseCase(const StudyCase& studyCase, const std::string& key)
-{
+  const StudyCase& studyCase = this->Cases.at(static_cast<std::size_t>(index));
   const fs::path folder = this->Chosen.MeshFolder;
   const std::string file = (folder / (studyCase.Name + ".vtp")).string();
   const bool isShown = this->Figures->Shows(studyCase);
   if (!HasMeshFilesOf(folder, this->TheStudy, studyCase) || (isShown && !fs::exists(file)) ||
-    !this->Journal.Adopt(studyCase.Index, key))
+    !this->Journal.Adopt(index, key))
   {
     return false;
   }
@@ -123,51 +68,78 @@ bool StudyExecution::ReuseCase(const StudyCase& studyCase, const std::string& ke
     this->Figures->KeepMesh(studyCase, reader->GetOutput());
   }
   ++this->CasesReused;
+  this->CaseIsDone({});
   return true;
 }
 
-void StudyExecution::DoCase(StudyPipeline& pipeline, const StudyCase& studyCase)
+void StudyExecution::Bring(const CaseAnswer& answer)
 {
-  const std::string key = StudyCaseKey(this->TheStudy, this->Solvers, this->MeshFiles, studyCase);
-  if (!this->Chosen.Resume || !this->ReuseCase(studyCase, key))
+  const StudyCase& studyCase = this->Cases.at(static_cast<std::size_t>(answer.Index));
+  if (!answer.NotWritten.empty())
   {
-    this->ExecuteCase(pipeline, studyCase, key);
+    this->Results->AddFailure(
+      { studyCase.Index, studyCase.Name, "output", "not-written", answer.NotWritten });
   }
-}
-
-void StudyExecution::Work(int threads)
-{
+  if (answer.Mesh)
+  {
+    this->Figures->KeepMesh(studyCase, answer.Mesh);
+  }
   try
   {
-    const std::unique_ptr<SolverQueue::Worker> worker =
-      this->Queue ? std::make_unique<SolverQueue::Worker>(*this->Queue) : nullptr;
-    StudyPipeline pipeline(this->TheStudy, this->Solvers,
-      { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries,
-        this->Budget.get(), this->Queue.get() },
-      this->Stop);
-    while (!this->Stop)
-    {
-      const std::size_t next = this->NextCase++;
-      if (next >= this->Cases.size())
-      {
-        break;
-      }
-      this->DoCase(pipeline, this->Cases[next]);
-      const std::scoped_lock lock(this->Mutex);
-      ++this->CasesDone;
-      this->Changed.notify_one();
-    }
+    this->CaseIsDone(this->Results->AddRow(studyCase, answer.Key, answer.Row));
   }
   catch (const std::exception& error)
   {
-    // Wrong for one case, wrong for all: there is no point in going on.
     const std::scoped_lock lock(this->Mutex);
-    this->WrongConfiguration = error.what();
+    this->Interruption = error.what();
     this->Stop = true;
   }
+}
+
+void StudyExecution::CaseIsDone(const std::string& line)
+{
+  const std::scoped_lock lock(this->Mutex);
+  if (!line.empty())
+  {
+    this->Lines.push_back(line);
+  }
+  ++this->CasesDone;
+  this->Changed.notify_one();
+}
+
+void StudyExecution::Refuse(const std::string& sentence)
+{
+  const std::scoped_lock lock(this->Mutex);
+  this->WrongConfiguration = sentence;
+  this->Stop = true;
+}
+
+void StudyExecution::Leave()
+{
   const std::scoped_lock lock(this->Mutex);
   ++this->WorkersDone;
   this->Changed.notify_one();
+}
+
+void StudyExecution::ServeDesk()
+{
+  if (!this->Desk)
+  {
+    return;
+  }
+  if (this->Stop)
+  {
+    this->Desk->Stop();
+  }
+  if (this->Desk->Serve(*this))
+  {
+    this->Pace.SomethingCame();
+  }
+}
+
+bool StudyExecution::IsOver(std::size_t workers) const
+{
+  return this->WorkersDone == workers && (!this->Desk || this->Desk->HaveAllLeft());
 }
 
 void StudyExecution::WaitForWorkers(std::size_t workers, const Report& report)
@@ -176,9 +148,19 @@ void StudyExecution::WaitForWorkers(std::size_t workers, const Report& report)
   std::unique_lock lock(this->Mutex);
   for (bool isOver = false; !isOver;)
   {
-    this->Changed.wait(
-      lock, [&] { return this->CasesDone != told || this->WorkersDone == workers; });
-    isOver = this->WorkersDone == workers;
+    lock.unlock();
+    this->ServeDesk();
+    lock.lock();
+    const auto hasChanged = [&] { return this->CasesDone != told || this->IsOver(workers); };
+    if (this->Desk)
+    {
+      this->Changed.wait_for(lock, this->Pace.Pause(), hasChanged);
+    }
+    else
+    {
+      this->Changed.wait(lock, hasChanged);
+    }
+    isOver = this->IsOver(workers);
     if (this->CasesDone == told)
     {
       continue;
@@ -187,7 +169,7 @@ void StudyExecution::WaitForWorkers(std::size_t workers, const Report& report)
     std::vector<std::string> lines;
     lines.swap(this->Lines);
     lock.unlock();
-    report(static_cast<double>(told) / static_cast<double>(this->Cases.size()), lines);
+    report(static_cast<double>(told) / static_cast<double>(this->ToDo.size()), lines);
     if (!isOver)
     {
       this->SaveProgress();
@@ -207,9 +189,10 @@ void StudyExecution::SaveProgress()
   }
   try
   {
+    this->Journal.CheckPlace();
     this->Journal.Flush();
     this->Results->Finish();
-    this->Results->Write(this->Chosen.Folder, !this->Chosen.WritesTables);
+    this->Results->Write(this->Chosen.Folder, !this->WritesTables);
   }
   catch (const std::exception&)
   {
@@ -220,49 +203,25 @@ void StudyExecution::SaveProgress()
   this->NextSave = Clock::now() + std::max<Clock::duration>(least, rarity * (Clock::now() - start));
 }
 
-/** A list is made of meshes that are all there: each waits in a worker of its own. */
-int StudyExecution::MeshesAtOnce(int atWork) const
-{
-  int longest = 1;
-  for (const SolverDescription& solver : this->Solvers)
-  {
-    longest = std::max(longest, TakesList(solver) ? solver.MeshesPerCall : 1);
-  }
-  const auto cases = static_cast<std::int64_t>(this->Cases.size());
-  return static_cast<int>(std::min(cases, std::int64_t{ atWork } * longest));
-}
-
 std::string StudyExecution::Run(StudyResults& results, StudyFigures& figures, const Report& report)
 {
   this->Results = &results;
   this->Figures = &figures;
   constexpr std::chrono::seconds firstSave{ 2 };
   this->NextSave = std::chrono::steady_clock::now() + firstSave;
-  const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-  const int wanted = this->Chosen.Workers > 0 ? this->Chosen.Workers : cores;
-  const int atWork = std::min(wanted, static_cast<int>(this->Cases.size()));
-  const int count = this->MeshesAtOnce(atWork);
-  const int threads = std::max(1, cores / atWork);
-  this->Queue = count > atWork ? std::make_unique<SolverQueue>(count, atWork) : nullptr;
-  std::vector<std::jthread> workers;
-  try
   {
-    for (int i = 0; i < count; ++i)
+    CaseWorkers workers(
+      this->TheStudy, this->Solvers, this->Cases, this->Chosen, *this, this->Stop);
+    try
     {
-      workers.emplace_back([this, threads] { this->Work(threads); });
+      this->WaitForWorkers(workers.Start(this->ToDo.size()), report);
     }
-    this->WaitForWorkers(workers.size(), report);
-  }
-  catch (...)
-  {
-    this->Stop = true; // the workers end with what they do, and are waited for
-    for (auto i = static_cast<int>(workers.size()); this->Queue && i < count; ++i)
+    catch (...)
     {
-      this->Queue->Leave();
+      this->Stop = true; // the workers end with what they do, and are waited for
+      throw;
     }
-    throw;
   }
-  workers.clear();
   if (!this->WrongConfiguration.empty())
   {
     throw std::runtime_error(this->WrongConfiguration);

@@ -1,59 +1,51 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * The cases of a study, done by workers: threads with a pipeline each.
+ * The cases of a study, in the process that has its journal: dealt to the workers here and, over a
+ * desk, to those of other processes; their rows to the journal, the tables from time to time.
  */
 #ifndef pemesh_StudyExecution_h
 #define pemesh_StudyExecution_h
+
+#include "CaseBoard.h"
+#include "CaseWorkers.h"
+#include "RankChannel.h"
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
-#include <filesystem>
 #include <functional>
-#include <memory>
 #include <mutex>
 #include <string>
-#include <thread>
 #include <vector>
-
-class vtkPolyData;
 
 namespace pemesh
 {
 
-class MemoryBudget;
-class SolverQueue;
+class RankDesk;
 class StudyFigures;
 class StudyJournal;
-class StudyPipeline;
 class StudyResults;
 struct SolverDescription;
 struct Study;
 struct StudyCase;
 
-class StudyExecution
+class StudyExecution : public CaseBoard
 {
 public:
   using Report = std::function<void(double fraction, const std::vector<std::string>& lines)>;
 
-  struct Options
-  {
-    std::filesystem::path Folder;
-    std::filesystem::path MeshFolder;
-    int Workers = 0; // 0: one a core
-    bool Resume = false;
-    int Retries = 0;
-    double SolverMemory = 0.0; // MiB, of all solvers at work; 0: any
-    bool WritesTables = true;  // while it runs, besides the index
-  };
-
-  /** All arguments must outlive the execution; `stop` is read at every progress. */
+  /**
+   * All arguments must outlive the execution; `stop` is read at every progress. Of all cases those
+   * of `toDo` are done. Without a `desk` this process is alone. `writesTables`: while it runs,
+   * besides the index.
+   */
   StudyExecution(const Study& study, const std::vector<SolverDescription>& solvers,
-    const std::vector<StudyCase>& cases, const Options& options, StudyJournal& journal,
+    const std::vector<StudyCase>& cases, const std::vector<int>& toDo,
+    const CaseWorkers::Options& options, bool writesTables, StudyJournal& journal, RankDesk* desk,
     std::atomic<bool>& stop);
-  ~StudyExecution();
+  ~StudyExecution() override;
 
   /**
    * Does all cases, or those until the stop. Answers with a sentence where the study could not go
@@ -64,28 +56,32 @@ public:
 
   int GetNumberOfReusedCases() const { return this->CasesReused; }
 
+  std::optional<int> Take() override;
+  bool Reuse(int index, const std::string& key) override;
+  void Bring(const CaseAnswer& answer) override;
+  void Refuse(const std::string& sentence) override;
+  void Leave() override;
+
 private:
-  int MeshesAtOnce(int atWork) const;
-  void Work(int threads);
-  void DoCase(StudyPipeline& pipeline, const StudyCase& studyCase);
-  bool ReuseCase(const StudyCase& studyCase, const std::string& key);
-  void ExecuteCase(StudyPipeline& pipeline, const StudyCase& studyCase, const std::string& key);
-  void WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh);
+  void CaseIsDone(const std::string& line);
+  void ServeDesk();
+  bool IsOver(std::size_t workers) const;
   void WaitForWorkers(std::size_t workers, const Report& report);
   void SaveProgress();
 
   const Study& TheStudy;
   const std::vector<SolverDescription>& Solvers;
   const std::vector<StudyCase>& Cases;
-  const Options Chosen;
+  const std::vector<int>& ToDo;
+  const CaseWorkers::Options Chosen;
+  const bool WritesTables;
   StudyJournal& Journal;
+  RankDesk* Desk;
   std::atomic<bool>& Stop;
-  std::vector<std::filesystem::path> MeshFiles;
-  std::unique_ptr<MemoryBudget> Budget;
-  std::unique_ptr<SolverQueue> Queue; // where a solver takes lists
   StudyResults* Results = nullptr;
   StudyFigures* Figures = nullptr;
   std::chrono::steady_clock::time_point NextSave;
+  RankPace Pace;
 
   // What the workers share.
   std::atomic<std::size_t> NextCase{ 0 };

@@ -2,80 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "StudyJournal.h"
 
-#include "CaseStatus.h"
-#include "NumberText.h"
-#include "TableRows.h"
+#include "RowText.h"
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cmath>
 #include <cstring>
-#include <limits>
 #include <stdexcept>
 #include <string_view>
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
-#include <vtkDataArray.h>
-#include <vtkDoubleArray.h>
-#include <vtkIdTypeArray.h>
-#include <vtkNew.h>
-#include <vtkStringArray.h>
 #include <vtkTable.h>
-#include <vtkVariant.h>
 
 namespace pemesh
 {
 
 namespace
 {
-
-/** The letter of a kind of columns. */
-struct KindLetter
-{
-  char Letter;
-  ColumnKind Kind;
-};
-constexpr std::array<KindLetter, 3> KindLetters{ { { 't', ColumnKind::Text },
-  { 'i', ColumnKind::Integer }, { 'n', ColumnKind::Number } } };
-
-/** The letter of a list that a column may be in, behind that of its kind. */
-struct ListLetter
-{
-  char Letter;
-  const char* List;
-};
-constexpr std::array<ListLetter, 2> ListLetters{ { { 'm', MeasuredList },
-  { 'p', ParametersList } } };
-
-void AppendField(std::string& line, std::string_view field)
-{
-  line += line.empty() ? "" : "\t";
-  for (const char c : field)
-  {
-    switch (c)
-    {
-      case '\\':
-        line += "\\\\";
-        break;
-      case '\t':
-        line += "\\t";
-        break;
-      case '\n':
-        line += "\\n";
-        break;
-      default:
-        line += c;
-    }
-  }
-}
-
-/** The fields of a line without its sum; none if the sum is not theirs. */
-std::vector<std::string> SplitLine(std::string_view line);
 
 /** FNV-1a, which is for slips of the disk, not for enemies. */
 std::string SumOf(std::string_view text)
@@ -91,6 +39,7 @@ std::string SumOf(std::string_view text)
   return { digits.data(), end.ptr };
 }
 
+/** The fields of a line without its sum; none if the sum is not theirs. */
 std::vector<std::string> SplitLine(std::string_view line)
 {
   const std::size_t last = line.rfind('\t');
@@ -98,73 +47,7 @@ std::vector<std::string> SplitLine(std::string_view line)
   {
     return {};
   }
-  std::vector<std::string> fields(1);
-  for (std::size_t i = 0; i < last; ++i)
-  {
-    if (line[i] == '\t')
-    {
-      fields.emplace_back();
-    }
-    else if (line[i] == '\\' && i + 1 < last)
-    {
-      ++i;
-      fields.back() += line[i] == 't' ? '\t' : line[i] == 'n' ? '\n' : line[i];
-    }
-    else
-    {
-      fields.back() += line[i];
-    }
-  }
-  return fields;
-}
-
-std::string LettersOf(vtkTable* row, vtkIdType column)
-{
-  vtkAbstractArray* array = row->GetColumn(column);
-  std::string letters;
-  for (const KindLetter& entry : KindLetters)
-  {
-    letters += entry.Kind == KindOfColumn(array) ? std::string(1, entry.Letter) : "";
-  }
-  for (const ListLetter& entry : ListLetters)
-  {
-    letters += IsInFieldList(row, entry.List, array->GetName()) ? std::string(1, entry.Letter) : "";
-  }
-  return letters;
-}
-
-std::string ValueOf(vtkAbstractArray* array)
-{
-  if (array->GetNumberOfTuples() == 0)
-  {
-    return {};
-  }
-  return KindOfColumn(array) == ColumnKind::Number
-    ? FormatNumber(vtkDataArray::SafeDownCast(array)->GetComponent(0, 0))
-    : array->GetVariantValue(0).ToString();
-}
-
-/** A column of one value. */
-vtkSmartPointer<vtkAbstractArray> MakeColumn(
-  char letter, const std::string& name, const std::string& value)
-{
-  const auto* entry = std::find_if(KindLetters.begin(), KindLetters.end(),
-    [letter](const KindLetter& candidate) { return candidate.Letter == letter; });
-  auto column = NewColumn(entry == KindLetters.end() ? ColumnKind::Number : entry->Kind, name);
-  const double number = ParseNumber(value).value_or(std::numeric_limits<double>::quiet_NaN());
-  if (auto* texts = vtkStringArray::SafeDownCast(column))
-  {
-    texts->InsertNextValue(value);
-  }
-  else if (auto* integers = vtkIdTypeArray::SafeDownCast(column))
-  {
-    integers->InsertNextValue(static_cast<vtkIdType>(ParseInteger(value).value_or(0)));
-  }
-  else
-  {
-    vtkDoubleArray::SafeDownCast(column)->InsertNextValue(number);
-  }
-  return column;
+  return SplitFields(line.substr(0, last));
 }
 
 } // namespace
@@ -208,6 +91,18 @@ void StudyJournal::Flush()
   fdatasync(this->File.Get()); // where it fails, WriteLine has said so, or will
 }
 
+void StudyJournal::CheckPlace() const
+{
+  struct stat open = {};
+  struct stat named = {};
+  if (fstat(this->File.Get(), &open) != 0 || stat(this->Path.c_str(), &named) != 0 ||
+    open.st_dev != named.st_dev || open.st_ino != named.st_ino)
+  {
+    throw std::runtime_error("The output folder \"" + this->Path.parent_path().string() +
+      "\" has vanished: it was removed, or its disk is gone.");
+  }
+}
+
 void StudyJournal::Load()
 {
   std::string text; // from End on
@@ -243,13 +138,9 @@ void StudyJournal::TakeLine(const std::vector<std::string>& fields, const Place&
 {
   if (fields[0] == "columns" && fields.size() > 1)
   {
-    std::string columns;
-    for (std::size_t i = 2; i < fields.size(); ++i)
-    {
-      AppendField(columns, fields[i]);
-    }
-    this->ColumnNumbers[columns] = fields[1];
-    this->Columns[fields[1]] = { fields.begin() + 2, fields.end() };
+    std::vector<std::string>& columns = this->Columns[fields[1]];
+    columns.assign(fields.begin() + 2, fields.end());
+    this->ColumnNumbers[JoinFields(columns)] = fields[1];
   }
   else if (fields[0] == "row" && fields.size() > 2 && !fields[1].empty())
   {
@@ -281,21 +172,13 @@ StudyJournal::Place StudyJournal::WriteLine(std::string line)
 
 std::string StudyJournal::ColumnsOf(vtkTable* row)
 {
-  std::vector<std::string> columns;
-  std::string text;
-  for (vtkIdType i = 0; i < row->GetNumberOfColumns(); ++i)
-  {
-    columns.push_back(LettersOf(row, i) + ':' + row->GetColumnName(i));
-    AppendField(text, columns.back());
-  }
+  const std::vector<std::string> columns = ColumnsOfRow(row);
+  const std::string text = JoinFields(columns);
   std::string& number = this->ColumnNumbers[text];
   if (number.empty())
   {
     number = std::to_string(this->Columns.size());
-    std::string line;
-    AppendField(line, "columns");
-    AppendField(line, number);
-    this->WriteLine(line + (text.empty() ? "" : "\t") + text);
+    this->WriteLine(JoinFields({ "columns", number }) + (text.empty() ? "" : "\t") + text);
     this->Columns[number] = columns;
   }
   return number;
@@ -304,15 +187,12 @@ std::string StudyJournal::ColumnsOf(vtkTable* row)
 void StudyJournal::Append(int index, const std::string& key, vtkTable* row)
 {
   const std::scoped_lock lock(this->Mutex);
+  this->CheckPlace();
   const std::string number = this->ColumnsOf(row);
-  std::string line;
-  for (const std::string& field : { std::string("row"), key, number })
+  std::string line = JoinFields({ "row", key, number });
+  for (const std::string& value : ValuesOfRow(row))
   {
-    AppendField(line, field);
-  }
-  for (vtkIdType i = 0; i < row->GetNumberOfColumns(); ++i)
-  {
-    AppendField(line, ValueOf(row->GetColumn(i)));
+    AppendField(line, value);
   }
   this->Rows.at(static_cast<std::size_t>(index)) = this->WriteLine(line);
 }
@@ -359,23 +239,7 @@ vtkSmartPointer<vtkTable> StudyJournal::Read(int index) const
   {
     throw std::runtime_error("\"" + this->Path.string() + "\" has changed while it was in use.");
   }
-  auto row = vtkSmartPointer<vtkTable>::New();
-  for (std::size_t i = 0; i < columns->second.size(); ++i)
-  {
-    const std::string& column = columns->second[i];
-    const std::size_t colon = column.find(':');
-    const std::string letters = column.substr(0, colon);
-    const std::string name = column.substr(colon + 1);
-    row->AddColumn(MakeColumn(letters[0], name, fields[firstValue + i]));
-    for (const ListLetter& entry : ListLetters)
-    {
-      if (letters.find(entry.Letter) != std::string::npos)
-      {
-        AddToFieldList(row, entry.List, name);
-      }
-    }
-  }
-  return row;
+  return MakeRow(columns->second, { fields.begin() + firstValue, fields.end() });
 }
 
 } // namespace pemesh

@@ -8,7 +8,7 @@
  * escaped), whose last field is a sum over the others: a line cut off by a kill, a full disk or a
  * power cut is told from a whole one, and everything from there on is dropped.
  *
- *   columns NUMBER KIND:NAME…      the columns of the rows that name it; kinds in StudyJournal.cxx
+ *   columns NUMBER KIND:NAME…      the columns of the rows that name it; kinds in RowText.cxx
  *   row KEY NUMBER VALUE…          a case that is done; KEY says of what (StudyCaseKey.h), "" = of
  *                                  nothing that a later run may rely on
  */
@@ -54,6 +54,12 @@ public:
   /** The row of a case that has one. */
   vtkSmartPointer<vtkTable> Read(int index) const;
   ///@}
+
+  /**
+   * Throws where the journal is not under its name any more: the folder was removed, or its disk
+   * has vanished and what is written now would go to another one.
+   */
+  void CheckPlace() const;
 
   /** Brings all rows to the disk: a power cut takes only those that came after. */
   void Flush();

@@ -3,9 +3,9 @@
 #include "vtkPEMRunner.h"
 
 #include "CsvTable.h"
+#include "RankDesk.h"
 #include "SolverCommand.h"
 #include "SolverDescription.h"
-#include "SolverDescriptionFile.h"
 #include "Study.h"
 #include "StudyCases.h"
 #include "StudyExecution.h"
@@ -15,6 +15,7 @@
 #include "StudyFolder.h"
 #include "StudyJournal.h"
 #include "StudyResults.h"
+#include "StudyTask.h"
 #include "TextFile.h"
 
 #include <algorithm>
@@ -62,13 +63,16 @@ public:
   int Retries = 0;
   double SolverMemory = 0.0;
   std::vector<std::string> MeshFormats;
+  pemesh::RankChannel* Channel = nullptr;
 
   // What follows from it.
   pemesh::Study Study;
   fs::path Output;
   std::vector<pemesh::SolverDescription> Solvers;
   std::vector<pemesh::StudyCase> Cases;
-  std::vector<pemesh::StudyCase> CasesToDo;
+  std::vector<int> CasesToDo;
+  pemesh::StudyTask Task;
+  std::unique_ptr<pemesh::RankDesk> Desk; // where other processes take part
   std::unique_ptr<pemesh::StudyJournal> Journal;
   std::unique_ptr<pemesh::StudyResults> Results;
   std::unique_ptr<pemesh::StudyFigures> Figures;
@@ -96,45 +100,40 @@ void vtkPEMRunner::Internals::Forget()
   this->Correlation = nullptr;
   this->Figures.reset();
   this->Results.reset();
+  this->Desk.reset();
   this->Journal.reset();
   this->CasesReused = 0;
 }
 
 void vtkPEMRunner::Internals::LoadStudy()
 {
-  std::string text = this->StudyText;
-  fs::path source = this->StudyFolder / "study.json";
+  this->Task = {};
+  this->Task.Text = this->StudyText;
+  this->Task.Source = this->StudyFolder / "study.json";
   if (!this->StudyFile.empty())
   {
-    text = pemesh::ReadTextFile(this->StudyFile);
-    source = this->StudyFile;
+    this->Task.Text = pemesh::ReadTextFile(this->StudyFile);
+    this->Task.Source = this->StudyFile;
   }
-  else if (text.empty())
+  else if (this->Task.Text.empty())
   {
     throw std::runtime_error("No study is set: name a study file.");
   }
   for (const std::string& setting : this->Settings)
   {
-    text = pemesh::ApplySetting(text, setting);
+    this->Task.Text = pemesh::ApplySetting(this->Task.Text, setting);
   }
-  this->Study = pemesh::ParseStudy(text, source);
-  this->Study.WrittenBy = "PEMesh " PEMESH_VERSION;
-  if (this->MeshesOnly)
-  {
-    this->Study.Metrics.Names.clear();
-    this->Study.Solvers.clear();
-    this->Study.Plots.clear();
-  }
-  if (!this->MeshFormats.empty())
-  {
-    this->Study.Output.Formats = this->MeshFormats;
-  }
-  this->Solvers = pemesh::FindStudySolvers(this->Study);
+  this->Task.MeshesOnly = this->MeshesOnly;
+  this->Task.Formats = this->MeshFormats;
+  pemesh::LoadedStudy loaded = pemesh::LoadStudy(this->Task);
+  this->Study = std::move(loaded.TheStudy);
+  this->Solvers = std::move(loaded.Solvers);
+  this->Cases = std::move(loaded.Cases);
   for (std::size_t i = 0; i < this->Solvers.size(); ++i)
   {
-    this->Study.Solvers[i].Version = pemesh::AskSolverVersion(this->Solvers[i]);
+    this->Task.Versions.push_back(pemesh::AskSolverVersion(this->Solvers[i]));
+    this->Study.Solvers[i].Version = this->Task.Versions[i];
   }
-  this->Cases = pemesh::MakeStudyCases(this->Study);
   this->Output = this->OutputDirectory.empty() ? fs::path(this->Study.Name) : this->OutputDirectory;
   if (this->Output.empty())
   {
@@ -151,7 +150,7 @@ void vtkPEMRunner::Internals::SelectCases()
   {
     if (selected.empty() || selected.count(studyCase.Index) > 0)
     {
-      this->CasesToDo.push_back(studyCase);
+      this->CasesToDo.push_back(studyCase.Index);
     }
   }
   if (!selected.empty() && this->CasesToDo.size() < selected.size())
@@ -164,11 +163,14 @@ void vtkPEMRunner::Internals::SelectCases()
 
 void vtkPEMRunner::Internals::RunCases()
 {
-  const pemesh::StudyExecution::Options options{ this->Output,
-    this->MeshesOnly ? this->Output : this->Output / "meshes", this->NumberOfWorkers, this->Resume,
-    this->Retries, this->SolverMemory, !this->MeshesOnly };
-  pemesh::StudyExecution execution(
-    this->Study, this->Solvers, this->CasesToDo, options, *this->Journal, this->Stop);
+  this->Task.Options = { this->Output, this->MeshesOnly ? this->Output : this->Output / "meshes",
+    this->NumberOfWorkers, this->Resume, this->Retries, this->SolverMemory };
+  if (this->Desk)
+  {
+    this->Desk->Begin(this->Task);
+  }
+  pemesh::StudyExecution execution(this->Study, this->Solvers, this->Cases, this->CasesToDo,
+    this->Task.Options, !this->MeshesOnly, *this->Journal, this->Desk.get(), this->Stop);
   const auto report = [this](double fraction, const std::vector<std::string>& lines)
   {
     for (std::string line : lines)
@@ -201,6 +203,7 @@ void vtkPEMRunner::Internals::Correlate()
 void vtkPEMRunner::Internals::SaveResults()
 {
   this->Results->Finish();
+  this->Journal->CheckPlace();
   this->Results->Write(this->Output, this->MeshesOnly);
   const auto& formats = this->Study.Output.Formats;
   if (std::find(formats.begin(), formats.end(), "vtp") != formats.end())
@@ -231,6 +234,7 @@ bool vtkPEMRunner::Run()
   run.Stop = false;
   try
   {
+    run.Desk = run.Channel ? std::make_unique<pemesh::RankDesk>(*run.Channel) : nullptr;
     run.LoadStudy();
     run.SelectCases();
     run.Journal = std::make_unique<pemesh::StudyJournal>(
@@ -241,6 +245,7 @@ bool vtkPEMRunner::Run()
     pemesh::WriteTextFile(
       run.Output / "study.json", pemesh::FormatStudy(pemesh::MoveStudy(run.Study, run.Output)));
     run.RunCases();
+    run.Desk.reset(); // the others have left
   }
   catch (const std::exception& error)
   {
@@ -369,6 +374,12 @@ double vtkPEMRunner::GetSolverMemory() const
   return this->Implementation->SolverMemory;
 }
 
+void vtkPEMRunner::SetRankChannel(pemesh::RankChannel* channel)
+{
+  this->Implementation->Channel = channel;
+  this->Modified();
+}
+
 int vtkPEMRunner::GetNumberOfReusedCases() const
 {
   return this->Implementation->CasesReused;
@@ -442,6 +453,7 @@ void vtkPEMRunner::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SelectedCases: " << run.SelectedCases.size() << "\n";
   os << indent << "SolverMemory: " << run.SolverMemory << "\n";
   os << indent << "Retries: " << run.Retries << "\n";
+  os << indent << "RankChannel: " << (run.Channel ? "given" : "none") << "\n";
   os << indent << "MeshesOnly: " << run.MeshesOnly << "\n";
   for (const std::string& format : run.MeshFormats)
   {

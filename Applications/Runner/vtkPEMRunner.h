@@ -44,6 +44,11 @@
 
 class vtkTable;
 
+namespace pemesh
+{
+class RankChannel;
+}
+
 class PEMESHRUNNER_EXPORT vtkPEMRunner : public vtkObject
 {
 public:
@@ -129,6 +134,13 @@ public:
   void SetSolverMemory(double mebibytes);
   double GetSolverMemory() const;
   ///@}
+
+  /**
+   * Other processes that compute cases of the study: this one must be the first of the channel, and
+   * the others call WorkForFirstRank (RankBoard.h). The number of workers is that of each process,
+   * the memory of solvers that of each machine. Must outlive the run. Default null: none.
+   */
+  void SetRankChannel(pemesh::RankChannel* channel);
 
   /**
    * Runs the study. True only if every case was done without a failure; then, and when some cases

@@ -124,6 +124,37 @@ protected:
     }
   }
 
+  /**
+   * Resumes the study and kills it when the journal has so many rows more, and so many milliseconds
+   * later; whether it was still alive.
+   */
+  int KillAfter(long rows, unsigned milliseconds) const
+  {
+    const pid_t process = fork();
+    if (process == 0)
+    {
+      const std::string program = PEMESH_BINARY_DIR "/bin/pemesh";
+      const std::string study = this->Folder / "s.json";
+      const std::string output = this->Folder / "out";
+      execl(program.c_str(), "pemesh", "run", study.c_str(), "-o", output.c_str(), "-j", "2",
+        "--resume", nullptr);
+      _exit(127);
+    }
+    const fs::path journal = this->Folder / "out" / "journal.tsv";
+    const long wanted = rows + LineCount(FileText(journal));
+    siginfo_t ended{};
+    while (LineCount(FileText(journal)) < wanted && ended.si_pid == 0)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+      waitid(P_PID, static_cast<id_t>(process), &ended, WEXITED | WNOHANG | WNOWAIT);
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+    kill(process, SIGKILL);
+    int status = 0;
+    waitpid(process, &status, 0);
+    return WIFSIGNALED(status) ? 1 : 0;
+  }
+
   fs::path Folder;
   long Calls = 0;
 };
@@ -266,33 +297,30 @@ TEST_F(ResumeTest, HalfAJournalIsAsGoodAsItsWholeLines)
 
 TEST_F(ResumeTest, KilledAtAnyInstantItGoesOn)
 {
-  this->WriteStudy(24, R"("plots": [{"kind": "mesh", "case": 3, "color-by": "Area"}],)");
-  const auto begin = std::chrono::steady_clock::now();
+  constexpr int meshesPerKill = 4;
+  this->WriteStudy(
+    meshesPerKill * PEMESH_KILLS, R"("plots": [{"kind": "mesh", "case": 3, "color-by": "Area"}],)");
   ASSERT_EQ(this->Run({}, "undisturbed").ExitCode, 0);
-  const auto length = std::chrono::steady_clock::now() - begin;
   std::mt19937 engine(20260101);
   int killed = 0;
   for (int i = 0; i < PEMESH_KILLS; ++i)
   {
-    const pid_t process = fork();
-    if (process == 0)
-    {
-      const std::string program = PEMESH_BINARY_DIR "/bin/pemesh";
-      const std::string study = this->Folder / "s.json";
-      const std::string output = this->Folder / "out";
-      execl(program.c_str(), "pemesh", "run", study.c_str(), "-o", output.c_str(), "-j", "2",
-        "--resume", nullptr);
-      _exit(127);
-    }
-    std::this_thread::sleep_for(length * static_cast<double>(engine() % 1000) / 2000.0);
-    kill(process, SIGKILL);
-    int status = 0;
-    waitpid(process, &status, 0);
-    killed += WIFSIGNALED(status) ? 1 : 0;
+    killed += this->KillAfter(static_cast<long>(engine() % (2 * meshesPerKill)), engine() % 50);
   }
-  EXPECT_GT(killed, 0);
+  EXPECT_GT(killed, PEMESH_KILLS / 2);
+  const auto begin = std::chrono::steady_clock::now();
   const auto last = this->Run({ "--resume" });
+  const auto length = std::chrono::steady_clock::now() - begin;
   EXPECT_EQ(last.ExitCode, 0) << last.Errors;
+  this->ExpectSameResults("out", "undisturbed");
+  // Also while it writes the tables and the figures.
+  for (int i = 0; i < PEMESH_KILLS; i += 5)
+  {
+    const auto milliseconds =
+      std::chrono::duration_cast<std::chrono::milliseconds>(length).count() + 1;
+    this->KillAfter(0, engine() % static_cast<unsigned>(milliseconds));
+  }
+  EXPECT_EQ(this->Run({ "--resume" }).ExitCode, 0);
   this->ExpectSameResults("out", "undisturbed");
   EXPECT_TRUE(fs::exists(this->Folder / "out" / "plots"));
   for (const auto& entry : fs::recursive_directory_iterator(this->Folder / "out"))
