@@ -643,11 +643,11 @@ Gitterdateien und Studien können hier abgelegt werden.</translation>
     </message>
     <message>
         <source>Scale</source>
-        <translation>Skalieren</translation>
+        <translation>Maß</translation>
     </message>
     <message>
         <source>Turn</source>
-        <translation>Drehen</translation>
+        <translation>Grad</translation>
     </message>
     <message>
         <source>From</source>
