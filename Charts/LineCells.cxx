@@ -135,18 +135,19 @@ std::vector<unsigned char> CellsOfLine(
     const double way = std::max(std::fabs(at(i + 1).X - at(i).X), std::fabs(at(i + 1).Y - at(i).Y));
     cells += std::min(way, static_cast<double>(columns) + rows);
   }
-  const auto stride = static_cast<std::size_t>(std::clamp(std::ceil(cells / marks), 1.0, 1e9));
+  auto stride = static_cast<std::size_t>(std::clamp(std::ceil(cells / marks), 1.0, 1e9));
   for (std::size_t i = 0; i + 1 < count; i += stride)
   {
     grid.AddSegment(at(i), at(i + 1));
   }
-  if (stride > 1)
+  while (stride > 1) // the more is marked, the less is left for the others
   {
+    stride = std::max<std::size_t>(stride / 4, 1);
     grid.CountLeft();
-  }
-  for (std::size_t i = 0; stride > 1 && i + 1 < count; ++i)
-  {
-    grid.AddSegment(at(i), at(i + 1));
+    for (std::size_t i = 0; i + 1 < count; i += stride)
+    {
+      grid.AddSegment(at(i), at(i + 1));
+    }
   }
   return grid.TakeMarks();
 }

@@ -67,6 +67,7 @@ QTableView, QListView, QTreeView, QPlainTextEdit, QTextBrowser { background: @pa
   gridline-color: @border; }
 QHeaderView::section { background: @window; color: @muted; border: 0;
   border-bottom: 1px solid @border; padding: 4px 6px; font-weight: 600; }
+QTabBar { qproperty-drawBase: 0; }
 QTabWidget::pane { border: 0; border-top: 1px solid @border; }
 QTabBar::tab { background: transparent; color: @muted; padding: 7px 12px; border: 0;
   border-bottom: 2px solid transparent; }

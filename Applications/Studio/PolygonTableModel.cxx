@@ -23,17 +23,17 @@ struct Column
 };
 
 const std::array<Column, 6> Columns{ {
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "x"), "center",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "x"), "center",
     [](const StudyPolygon& polygon) { return polygon.Center[0]; }, 0 },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "y"), "center",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "y"), "center",
     [](const StudyPolygon& polygon) { return polygon.Center[1]; }, 1 },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "Scale"), "scale",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "Scale"), "scale",
     [](const StudyPolygon& polygon) { return polygon.Scale; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "Turn"), "rotation",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "Turn"), "rotation",
     [](const StudyPolygon& polygon) { return polygon.Rotation; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "From"), "from",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "From"), "from",
     [](const StudyPolygon& polygon) { return polygon.From; } },
-  { QT_TRANSLATE_NOOP("PolygonTableModel", "To"), "to",
+  { QT_TRANSLATE_NOOP("pemesh::PolygonTableModel", "To"), "to",
     [](const StudyPolygon& polygon) { return polygon.To; } },
 } };
 
