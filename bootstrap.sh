@@ -17,7 +17,8 @@ cd "$(dirname "$0")"
 build_packages="g++ cmake ninja-build ccache pkg-config ca-certificates help2man
   libvtk9-dev libcgal-dev libeigen3-dev libboost-dev libsuitesparse-dev libopenblas-dev
   libspectra-dev libginac-dev libmetis-dev libmatio-dev zlib1g-dev
-  libcairo2-dev libfontconfig-dev qt6-base-dev nlohmann-json3-dev libcli11-dev
+  libcairo2-dev libfontconfig-dev qt6-base-dev qt6-tools-dev qt6-l10n-tools
+  nlohmann-json3-dev libcli11-dev
   libgtest-dev libgmock-dev libopenmpi-dev"
 run_packages="fonts-dejavu-core python3 python3-dev python3-vtk9 python3-numpy"
 # octave, which one more test needs, is large: it runs where octave-cli is installed.
