@@ -6,6 +6,7 @@
 #include "Commands.h"
 #include "MeshFormats.h"
 #include "Terminal.h"
+#include "TriangulatedMesh.h"
 #include "vtkPEMMeshReader.h"
 
 #include <CLI/CLI.hpp>
@@ -35,6 +36,7 @@ struct ConvertArguments
   std::string Output;
   std::string Format;
   bool AsStored = false;
+  bool Triangulate = false;
 };
 
 /** One mesh to be read and the file that it becomes. */
@@ -146,10 +148,15 @@ std::string DescribeLoss(const MeshFormat& format, vtkPolyData* mesh)
   return text;
 }
 
-void ConvertOne(const Conversion& conversion, const MeshFormat& format, bool asStored)
+void ConvertOne(
+  const Conversion& conversion, const MeshFormat& format, const ConvertArguments& arguments)
 {
-  const auto mesh = ReadMesh(conversion.From,
-    asStored ? ElementOrientation::AsStored : ElementOrientation::CounterClockwise);
+  auto mesh = ReadMesh(conversion.From,
+    arguments.AsStored ? ElementOrientation::AsStored : ElementOrientation::CounterClockwise);
+  if (arguments.Triangulate)
+  {
+    mesh = TriangulateMesh(mesh);
+  }
   format.Write(conversion.To, mesh);
   std::cout << conversion.To.string() << ": "
             << CountText(mesh->GetNumberOfPolys(), "element", "elements") << ", "
@@ -166,7 +173,7 @@ int Convert(const ConvertArguments& arguments)
   {
     try
     {
-      ConvertOne(conversion, format, arguments.AsStored);
+      ConvertOne(conversion, format, arguments);
     }
     catch (const std::exception& error)
     {
@@ -193,6 +200,9 @@ void AddConvertCommand(CLI::App& program, int& exitCode)
     ->check(CLI::IsMember(MeshFormatNames()));
   command->add_flag("--as-stored", arguments->AsStored,
     "Leave elements that are clockwise as they are (default: they are reversed)");
+  command->add_flag("--triangulate", arguments->Triangulate,
+    "Cut elements into triangles, for programs that draw concave ones wrongly; the array "
+    "OriginalElement names the element of each");
   command->callback([arguments, &exitCode] { exitCode = Convert(*arguments); });
 }
 

@@ -58,6 +58,7 @@ public:
   vtkTypeMacro(vtkPEMPolygonLayout, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  ///@{
   /**
    * Adds a polygon of a parametric family ("comb", "convexity", "isotropy", "maze", "n-sided",
    * "star", "u-like", "zeta", "random") and returns its index, or -1 (and an error) if there is no
@@ -65,6 +66,9 @@ public:
    * and the name "polygon 1 (comb)", counted from 1.
    */
   int AddPolygon(const std::string& family, double centerX, double centerY);
+  int AddPolygon(
+    const std::string& family, double centerX, double centerY, double scale, double rotation);
+  ///@}
 
   /**
    * Adds the first polygon of a file (PolygonFile.h: OFF, OBJ, VTP, points as CSV and others),

@@ -49,6 +49,18 @@ int vtkPEMPolygonLayout::AddPolygon(const std::string& family, double centerX, d
   return this->Append({ *found, { centerX, centerY } });
 }
 
+int vtkPEMPolygonLayout::AddPolygon(
+  const std::string& family, double centerX, double centerY, double scale, double rotation)
+{
+  const int index = this->AddPolygon(family, centerX, centerY);
+  if (index >= 0)
+  {
+    this->SetPolygonScale(index, scale);
+    this->SetPolygonRotation(index, rotation);
+  }
+  return index;
+}
+
 int vtkPEMPolygonLayout::Append(pemesh::LayoutPolygon polygon)
 {
   this->Polygons.push_back(std::move(polygon));

@@ -14,25 +14,9 @@ results=$(realpath "$1")
 picture=$(realpath "$2")
 root=${3:-}
 here=$(realpath "$(dirname "$0")")
-mirror=${PEMESH_DEBIAN_MIRROR:-http://deb.debian.org/debian}
-say() { printf '==> %s\n' "$*"; }
-inside() { chroot "$root" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
-keep=yes
-[ -n "$root" ] || { root=$(mktemp -d); keep=no; }
-clean_up() {
-  umount "$root/proc" 2>/dev/null || true
-  [ "$keep" = yes ] || rm -rf --one-file-system "$root"
-}
-trap clean_up EXIT
-
-if [ ! -x "$root/usr/bin/pvbatch" ]; then
-  say "Making a bare Debian 12 with ParaView."
-  debootstrap --variant=minbase bookworm "$root" "$mirror" >/dev/null
-  inside apt-get update -qq
-  inside sh -c 'DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends \
-    paraview python3-paraview xvfb xauth libgl1-mesa-dri' >/dev/null
-fi
-mount -t proc proc "$root/proc"
+# shellcheck source-path=SCRIPTDIR source=paraview-root.sh
+. "$here/paraview-root.sh"
+make_root
 
 say "Opening $results."
 rm -rf "$root/root/results"

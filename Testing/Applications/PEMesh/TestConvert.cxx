@@ -12,6 +12,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include <vtkCellData.h>
+#include <vtkDataArray.h>
 #include <vtkPolyData.h>
 
 namespace fs = std::filesystem;
@@ -72,6 +74,22 @@ TEST(Convert, SaysWhatIsLost)
   EXPECT_EQ(stl.ExitCode, 0);
   EXPECT_THAT(stl.Output, HasSubstr("stl holds triangles only: 1 larger element is cut into"));
   EXPECT_EQ(pemesh::ReadMesh(folder / "m.stl")->GetNumberOfPolys(), 3);
+}
+
+TEST(Convert, TriangulatesOnRequest)
+{
+  const fs::path folder = TestFolder("convert-triangles");
+  const std::string mesh = Write(folder / "m.off", Square);
+  const std::string to = folder / "m.vtp";
+  const auto run = RunProgram("pemesh", { "convert", mesh, "--triangulate", "-o", to });
+  EXPECT_EQ(run.ExitCode, 0);
+  EXPECT_EQ(run.Output, to + ": 3 elements, 5 vertices\n");
+  const auto triangles = pemesh::ReadMesh(to);
+  vtkDataArray* element = triangles->GetCellData()->GetArray("OriginalElement");
+  ASSERT_NE(element, nullptr);
+  EXPECT_EQ(element->GetTuple1(0), 0.0);
+  EXPECT_EQ(element->GetTuple1(1), 1.0);
+  EXPECT_EQ(element->GetTuple1(2), 1.0);
 }
 
 TEST(Convert, RefusesWhatMakesNoSense)

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "vtkPEMPolygonFamily.h"
 #include "vtkPEMPolygonLayout.h"
 
 #include "CaseStatus.h"
@@ -427,6 +428,44 @@ TEST(PolygonLayout, FirstPolygonOfAFileIsPlacedLikeTheOthers)
   EXPECT_EQ(layout->AddPolygonFromFile((folder / "bad.csv").string(), 0.5, 0.5), -1);
   EXPECT_THAT(log.GetText(), HasSubstr("bad.csv\", line 2: \"a\" is not a finite number."));
   EXPECT_EQ(layout->GetNumberOfPolygons(), 1);
+}
+
+TEST(PolygonFamily, IsALayoutOfOnePolygon)
+{
+  vtkNew<vtkPEMPolygonLayout> layout;
+  layout->AddPolygon("star", 0.3, 0.6, 0.5, 30.0);
+  layout->SetPolygonParameter(0, "spikes", 7);
+  layout->SetPolygonRange(0, 0.25, 1.0);
+  vtkNew<vtkPEMPolygonFamily> family; // a comb at first
+  family->SetRange(0.25, 1.0);
+  family->SetScale(0.5);
+  family->SetCenter(0.3, 0.6);
+  family->SetRotation(30.0);
+  family->SetParameter("teeth", 3);
+  family->SetFamily("star"); // keeps the place
+  family->SetParameter("spikes", 7);
+  for (const double time : { 0.0, 0.5, 0.9 })
+  {
+    layout->UpdateTimeStep(time);
+    family->UpdateTimeStep(time);
+    pemesh::ExpectSameMesh(family->GetOutput(), layout->GetOutput());
+  }
+  EXPECT_EQ(family->GetNumberOfPolygons(), 1);
+}
+
+TEST(PolygonFamily, KeepsWhatItHasWhereThereIsNoSuchFamily)
+{
+  vtkNew<vtkPEMPolygonFamily> family;
+  family->SetParameter("teeth", 3);
+  const vtkMTimeType before = family->GetMTime();
+  family->SetFamily("comb");
+  EXPECT_EQ(family->GetMTime(), before);
+  const pemesh::ErrorLog errors(family);
+  family->SetFamily("coomb");
+  EXPECT_THAT(errors.GetText(), HasSubstr("did you mean \"comb\""));
+  family->SetFamily("file"); // is no family of a t
+  EXPECT_EQ(family->GetFamily(), "comb");
+  EXPECT_EQ(family->GetParameter("teeth"), 3.0);
 }
 
 } // namespace
