@@ -3,8 +3,10 @@
 #include "CaseWorkers.h"
 
 #include "CaseBoard.h"
+#include "CaseGate.h"
 #include "MemoryBudget.h"
 #include "MeshFormats.h"
+#include "ParallelLoop.h"
 #include "SolverCommand.h"
 #include "SolverDescription.h"
 #include "SolverQueue.h"
@@ -54,6 +56,7 @@ CaseWorkers::CaseWorkers(const Study& study, const std::vector<SolverDescription
     this->MeshFiles = FindStudyMeshes(study);
   }
   constexpr double mebiByte = 1024.0 * 1024.0;
+  this->Gate = std::make_unique<CaseGate>(mebiByte * options.SolverMemory, PeakMemory);
   if (options.SolverMemory > 0.0)
   {
     this->Budget = std::make_unique<MemoryBudget>(mebiByte * options.SolverMemory);
@@ -116,6 +119,21 @@ void CaseWorkers::DoCase(StudyPipeline& pipeline, const StudyCase& studyCase)
   this->Board.Bring(answer);
 }
 
+bool CaseWorkers::DoNextCase(StudyPipeline& pipeline)
+{
+  // Workers that wait for a list to be full hold each other up, and must not hold the gate.
+  CaseGate* gate = this->Queue ? nullptr : this->Gate.get();
+  const CaseGate::Visit visit(gate);
+  const std::optional<int> next = this->Board.Take();
+  if (next)
+  {
+    ++this->Busy;
+    this->DoCase(pipeline, this->Cases.at(static_cast<std::size_t>(*next)));
+    --this->Busy;
+  }
+  return next.has_value();
+}
+
 void CaseWorkers::Work(int threads)
 {
   try
@@ -126,9 +144,9 @@ void CaseWorkers::Work(int threads)
       { this->Chosen.Folder / "solvers", threads, this->Chosen.Resume, this->Chosen.Retries,
         this->Budget.get(), this->Queue.get() },
       this->Stop);
-    while (const std::optional<int> next = this->Board.Take())
+    const LoopShare share(this->Busy, AvailableCores());
+    while (this->DoNextCase(pipeline))
     {
-      this->DoCase(pipeline, this->Cases.at(static_cast<std::size_t>(*next)));
     }
   }
   catch (const std::exception& error)

@@ -19,6 +19,7 @@ namespace pemesh
 {
 
 class CaseBoard;
+class CaseGate;
 class MemoryBudget;
 class SolverQueue;
 class StudyPipeline;
@@ -39,7 +40,8 @@ public:
     int Workers = 0; // 0: one a core
     bool Resume = false;
     int Retries = 0;
-    double SolverMemory = 0.0; // MiB, of all solvers at work; 0: any
+    /** MiB that all solvers at work may take, and as much the meshes at work here; 0: any. */
+    double SolverMemory = 0.0;
   };
 
   /** All arguments must outlive the workers; `stop` is read at every progress. */
@@ -59,6 +61,7 @@ public:
 private:
   int MeshesAtOnce(int atWork, std::size_t casesToDo) const;
   void Work(int threads);
+  bool DoNextCase(StudyPipeline& pipeline);
   void DoCase(StudyPipeline& pipeline, const StudyCase& studyCase);
   void WriteMeshes(const StudyCase& studyCase, vtkPolyData* mesh) const;
 
@@ -70,7 +73,9 @@ private:
   std::atomic<bool>& Stop;
   std::vector<std::filesystem::path> MeshFiles;
   std::unique_ptr<MemoryBudget> Budget;
+  std::unique_ptr<CaseGate> Gate;
   std::unique_ptr<SolverQueue> Queue; // where a solver takes lists
+  std::atomic<int> Busy{ 0 };         // workers with a case
   std::vector<std::jthread> Threads;
 };
 

@@ -58,6 +58,11 @@ StudyJournal::StudyJournal(const std::filesystem::path& path, bool keepsRows, st
 {
   std::error_code error;
   std::filesystem::create_directories(path.parent_path(), error);
+  if (error)
+  {
+    throw std::runtime_error(
+      "Cannot make the folder \"" + path.parent_path().string() + "\": " + error.message() + ".");
+  }
   constexpr int flags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW;
   this->File.Reset(open(path.c_str(), flags, 0666));
   if (!this->File.IsOpen())

@@ -129,7 +129,8 @@ public:
   ///@{
   /**
    * MiB of memory that all solvers at work may take together: one waits where it would take too
-   * much, whatever the number of workers. Default 0: any.
+   * much, whatever the number of workers. The meshes at work in this process keep within as much:
+   * the first is alone, then there are as many as fit. Default 0: any.
    */
   void SetSolverMemory(double mebibytes);
   double GetSolverMemory() const;

@@ -10,6 +10,7 @@
 
 #include "pemeshFiltersCoreModule.h" // For export macro
 
+#include <atomic>
 #include <functional>
 
 #include <vtkType.h> // For vtkIdType
@@ -23,6 +24,27 @@ namespace pemesh
  */
 PEMESHFILTERSCORE_EXPORT void ParallelLoop(vtkIdType first, vtkIdType last, vtkIdType grain,
   const std::function<void(vtkIdType, vtkIdType)>& body);
+
+/**
+ * While it lives, loops of this thread stay in it as long as there are no idle cores: where so many
+ * threads are `busy` with work of their own as there are `cores`, or more. Without it loops use all
+ * cores, and as many threads again would be at work.
+ */
+class PEMESHFILTERSCORE_EXPORT LoopShare
+{
+public:
+  LoopShare(const std::atomic<int>& busy, int cores);
+  ~LoopShare();
+  LoopShare(const LoopShare&) = delete;
+  LoopShare& operator=(const LoopShare&) = delete;
+
+  bool HasIdleCores() const { return this->Busy < this->Cores; }
+
+private:
+  const std::atomic<int>& Busy;
+  int Cores;
+  LoopShare* Outer;
+};
 
 /** The most threads a ParallelLoop may use from now on; 0 for one a processor. */
 PEMESHFILTERSCORE_EXPORT void SetNumberOfThreads(int threads);

@@ -12,9 +12,14 @@
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
 #include <limits>
 #include <set>
 #include <stdexcept>
+#include <string_view>
 #include <vector>
 
 namespace pemesh
@@ -87,8 +92,13 @@ vtkSmartPointer<vtkAbstractArray> MakeColumn(const std::vector<std::string>& val
 
 } // namespace
 
-std::string FormatCsv(vtkTable* table)
+namespace
 {
+
+/** The text piece by piece: `take` is called where there is much of it, and at the end. */
+void FormatPieces(vtkTable* table, const std::function<void(std::string_view)>& take)
+{
+  constexpr std::size_t much = 1 << 20;
   std::string text;
   const vtkIdType columns = table->GetNumberOfColumns();
   const auto endRecord = [&]
@@ -98,6 +108,11 @@ std::string FormatCsv(vtkTable* table)
       text += "\"\"";
     }
     text += '\n';
+    if (text.size() > much)
+    {
+      take(text);
+      text.clear();
+    }
   };
   for (vtkIdType column = 0; column < columns; ++column)
   {
@@ -115,6 +130,15 @@ std::string FormatCsv(vtkTable* table)
     }
     endRecord();
   }
+  take(text);
+}
+
+} // namespace
+
+std::string FormatCsv(vtkTable* table)
+{
+  std::string text;
+  FormatPieces(table, [&text](std::string_view piece) { text += piece; });
   return text;
 }
 
@@ -160,7 +184,21 @@ vtkSmartPointer<vtkTable> ParseCsv(std::string_view text, const std::string& sou
 
 void WriteCsvFile(const std::filesystem::path& path, vtkTable* table)
 {
-  WriteTextFile(path, FormatCsv(table));
+  WriteFileSafely(path,
+    [&](const std::filesystem::path& temporary)
+    {
+      errno = 0;
+      std::ofstream stream(temporary, std::ios::binary);
+      FormatPieces(table,
+        [&stream](std::string_view piece)
+        { stream.write(piece.data(), static_cast<std::streamsize>(piece.size())); });
+      stream.close();
+      if (!stream)
+      {
+        throw std::runtime_error(
+          "Cannot write \"" + path.string() + "\": " + std::strerror(errno) + ".");
+      }
+    });
 }
 
 vtkSmartPointer<vtkTable> ReadCsvFile(const std::filesystem::path& path)

@@ -35,6 +35,18 @@ public:
   static WriterWithoutRanges* New() { VTK_STANDARD_NEW_BODY(WriterWithoutRanges); }
 
 protected:
+  /**
+   * On a full disk VTK frees these arrays whether or not it has made them, which it has only for
+   * appended data, and crashes.
+   */
+  void DeletePositionArrays() override
+  {
+    if (this->GetDataMode() == Writer::Appended)
+    {
+      this->Writer::DeletePositionArrays();
+    }
+  }
+
   /** Between the header of an array, which computes its range, and its information. */
   void WriteInlineData(vtkAbstractArray* array, vtkIndent indent) override
   {
