@@ -168,6 +168,10 @@ std::string SolverFingerprint(const SolverDescription& description)
   {
     digest.Add(performance.Name + (performance.Measured ? " measured" : ""));
   }
+  for (const SolverElementArray& array : description.Elements)
+  {
+    digest.Add("element " + array.Name);
+  }
   for (const std::string& argument : description.Command)
   {
     digest.Add(argument);
@@ -175,7 +179,11 @@ std::string SolverFingerprint(const SolverDescription& description)
     constexpr std::string_view folder = "{folder}/";
     const bool isScript = argument.rfind(folder, 0) == 0;
     std::filesystem::path file;
-    if (isScript || &argument == &description.Command.front())
+    if (argument.rfind('/', 0) == 0)
+    {
+      file = argument; // a script of an interpreter, may be
+    }
+    else if (isScript || &argument == &description.Command.front())
     {
       file = isScript ? description.Folder / argument.substr(folder.size())
                       : FindSolverProgram(argument, description.Folder);

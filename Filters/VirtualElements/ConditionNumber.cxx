@@ -23,6 +23,14 @@ constexpr std::size_t BlockColumnsOfManyRows = 2;
 constexpr int BlockSteps = 5;
 constexpr int SolveColumns = 64; // right-hand sides at a time for the exact norm
 
+void Ask(const std::function<void()>& check)
+{
+  if (check)
+  {
+    check();
+  }
+}
+
 double ColumnSum(const std::vector<double>& block, std::size_t rows, std::size_t column)
 {
   double sum = 0.0;
@@ -179,12 +187,13 @@ bool Improve(Estimate& estimate, const std::vector<double>& image, std::size_t r
 
 } // namespace
 
-double ExactInverseNorm(const Factorization& factor)
+double ExactInverseNorm(const Factorization& factor, const std::function<void()>& check)
 {
   const std::size_t rows = static_cast<std::size_t>(factor.Size());
   double norm = 0.0;
   for (std::size_t first = 0; first < rows; first += SolveColumns)
   {
+    Ask(check);
     const std::size_t columns = std::min<std::size_t>(SolveColumns, rows - first);
     std::vector<double> block(rows * columns, 0.0);
     for (std::size_t column = 0; column < columns; ++column)
@@ -200,7 +209,7 @@ double ExactInverseNorm(const Factorization& factor)
   return norm;
 }
 
-double EstimateInverseNorm(const Factorization& factor)
+double EstimateInverseNorm(const Factorization& factor, const std::function<void()>& check)
 {
   const std::size_t rows = static_cast<std::size_t>(factor.Size());
   const std::size_t columns =
@@ -223,6 +232,7 @@ double EstimateInverseNorm(const Factorization& factor)
   std::vector<double> height;
   for (int step = 0; step <= BlockSteps; ++step)
   {
+    Ask(check);
     const std::vector<double> image = factor.Solve(start, static_cast<int>(columns));
     if (!Improve(estimate, image, rows, columns, units) || step == BlockSteps)
     {
@@ -236,6 +246,7 @@ double EstimateInverseNorm(const Factorization& factor)
     }
     // The start has told nothing of its signs yet, least of all that all of them should be one.
     signs.MakeColumnsDiffer(previous, step > 0, random);
+    Ask(check);
     const std::vector<double> dual =
       factor.SolveTransposed(signs.GetValues(), static_cast<int>(columns));
     const std::vector<std::size_t> order = RankRows(dual, rows, columns, height);
@@ -257,10 +268,12 @@ double EstimateInverseNorm(const Factorization& factor)
   return estimate.Norm;
 }
 
-ConditionNumber ComputeConditionNumber(const SparseMatrix& matrix, const Factorization& factor)
+ConditionNumber ComputeConditionNumber(
+  const SparseMatrix& matrix, const Factorization& factor, const std::function<void()>& check)
 {
   const bool exact = factor.Size() < ExactConditionNumberLimit;
-  const double inverse = exact ? ExactInverseNorm(factor) : EstimateInverseNorm(factor);
+  const double inverse =
+    exact ? ExactInverseNorm(factor, check) : EstimateInverseNorm(factor, check);
   return { OneNorm(matrix) * inverse, exact };
 }
 

@@ -9,6 +9,8 @@
 
 #include "pemeshFiltersVirtualElementsModule.h" // For export macro
 
+#include <functional>
+
 namespace pemesh
 {
 
@@ -27,12 +29,16 @@ struct ConditionNumber
   bool Exact = true; ///< else a lower bound, seldom more than a few per cent below
 };
 
-/** ||A||_1 ||A^-1||_1: exact below ExactConditionNumberLimit unknowns, estimated above. */
+/**
+ * ||A||_1 ||A^-1||_1: exact below ExactConditionNumberLimit unknowns, estimated above. `check`, if
+ * there is one, is called between solutions and may throw, here and below.
+ */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT ConditionNumber ComputeConditionNumber(
-  const SparseMatrix& matrix, const Factorization& factor);
+  const SparseMatrix& matrix, const Factorization& factor, const std::function<void()>& check = {});
 
 /** ||A^-1||_1 from all columns of the inverse. */
-PEMESHFILTERSVIRTUALELEMENTS_EXPORT double ExactInverseNorm(const Factorization& factor);
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT double ExactInverseNorm(
+  const Factorization& factor, const std::function<void()>& check = {});
 
 /**
  * A lower bound of ||A^-1||_1 by the block 1-norm power method of N. J. Higham, F. Tisseur, SIAM
@@ -40,7 +46,8 @@ PEMESHFILTERSVIRTUALELEMENTS_EXPORT double ExactInverseNorm(const Factorization&
  * unknowns on, and at most five steps (the method of W. W. Hager, SIAM J. Sci. Stat. Comput. 5
  * (1984) 311-316, with several starts at once). The start is always the same, so the answer is too.
  */
-PEMESHFILTERSVIRTUALELEMENTS_EXPORT double EstimateInverseNorm(const Factorization& factor);
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT double EstimateInverseNorm(
+  const Factorization& factor, const std::function<void()>& check = {});
 
 } // namespace pemesh
 

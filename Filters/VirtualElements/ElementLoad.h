@@ -20,7 +20,10 @@ class ElementLoad
 public:
   ElementLoad(const EllipticProblem& problem, const VirtualElementOptions& options);
 
-  /** The integrals of f times the projections, to a relative 1e-10 of the integral of |f|. */
+  /**
+   * The integrals of f times the projections, to a relative 1e-10 of the integral of |f|, as far as
+   * quadrature sees f (Quadrature.h).
+   */
   void Compute(const ElementMatrices& matrices);
 
   /** Adds the integrals of kappa du/dn over the edges that are marked. */

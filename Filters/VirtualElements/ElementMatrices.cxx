@@ -49,7 +49,7 @@ ElementMatrices::ElementMatrices(
 {
 }
 
-void ElementMatrices::Set(PolygonView vertices)
+void ElementMatrices::Set(PolygonView vertices, bool withMatrix)
 {
   this->Vertices.assign(vertices.begin(), vertices.end());
   this->Parts = this->Cutter.Cut(vertices);
@@ -69,25 +69,22 @@ void ElementMatrices::Set(PolygonView vertices)
     this->ElementDiameter = PolygonDiameter(vertices);
     this->ElementCentroid = Centroid(vertices);
   }
-  this->ClosedForm ? this->SetLowestOrder() : this->SetGeneral();
+  this->ClosedForm ? this->SetLowestOrder(withMatrix) : this->SetGeneral();
 }
 
-void ElementMatrices::SetLowestOrder()
+void ElementMatrices::SetLowestOrder(bool withMatrix)
 {
   this->Polynomials.Set(MonomialRule(), 1, this->Vertices, this->ElementDiameter, this->ElementArea,
     this->ElementCentroid, this->Parts);
   const Index n = this->Dofs;
-  this->Packed.resize(static_cast<std::size_t>(n * (n + 1) / 2));
-  this->Lowest.GetStiffness(this->Packed);
-  this->Stiffness.resize(n, n);
+  if (withMatrix)
+  {
+    this->Packed.resize(static_cast<std::size_t>(n * (n + 1) / 2));
+    this->Lowest.GetStiffness(this->Packed);
+  }
   this->Gradient.resize(3, n);
-  std::size_t slot = 0;
   for (Index i = 0; i < n; ++i)
   {
-    for (Index j = 0; j <= i; ++j, ++slot)
-    {
-      this->Stiffness(i, j) = this->Stiffness(j, i) = this->Packed[slot];
-    }
     const auto place = static_cast<std::size_t>(i);
     this->Gradient(0, i) = this->Lowest.Constant()[place];
     this->Gradient(1, i) = this->Lowest.GradientX()[place];
@@ -478,11 +475,36 @@ const Eigen::MatrixXd& ElementMatrices::GetGradientProducts()
   return this->GradientProducts;
 }
 
+// From the projection as it is used: B is G times it, and C the moments of the projections.
+void ElementMatrices::SetMatricesOfClosedForm()
+{
+  this->IntegrateLinear();
+  this->D.resize(this->Dofs, 3);
+  for (Index i = 0; i < this->Dofs; ++i)
+  {
+    const Point2 scaled = this->Lowest.Scaled(this->Vertices[static_cast<std::size_t>(i)]);
+    this->D.row(i) << 1.0, scaled.x, scaled.y;
+  }
+  this->G = this->GetGradientProducts();
+  if (this->Options.Constant == ProjectionConstant::VertexMean)
+  {
+    this->G.row(0) = this->D.colwise().mean();
+  }
+  else
+  {
+    const std::vector<double> weights = BoundaryMeanWeights(this->Vertices);
+    this->G.row(0).noalias() =
+      Eigen::Map<const Eigen::RowVectorXd>(weights.data(), this->Dofs) * this->D;
+  }
+  this->B.noalias() = this->G * this->Gradient;
+  this->C.noalias() = this->H * this->Gradient;
+}
+
 ElementChecks ElementMatrices::GetChecks()
 {
   if (this->ClosedForm)
   {
-    this->SetGeneral();
+    this->SetMatricesOfClosedForm();
   }
   const Index size = PolynomialCount(this->Order);
   ElementChecks checks;

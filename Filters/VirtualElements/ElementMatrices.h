@@ -58,11 +58,16 @@ public:
   ElementMatrices(const EllipticProblem& problem, const VirtualElementOptions& options);
 
   /** Takes a counter-clockwise simple polygon. Keeps its memory from element to element. */
-  void Set(PolygonView vertices);
+  void Set(PolygonView vertices) { this->Set(vertices, true); }
 
-  Eigen::Index NumberOfDofs() const { return this->Stiffness.rows(); }
+  /** The same without the matrix where that is known in closed form, which is kept elsewhere. */
+  void SetForErrors(PolygonView vertices) { this->Set(vertices, false); }
+
+  Eigen::Index NumberOfDofs() const { return this->Dofs; }
   Eigen::Index NumberOfMoments() const { return PolynomialCount(this->Order - 2); }
 
+  /** Its lower triangle, row by row, where it is known in closed form; Matrix() is not set then. */
+  std::span<const double> PackedMatrix() const { return this->Packed; }
   /** a(phi_j, phi_i) in row i, column j. */
   const Eigen::MatrixXd& Matrix() const { return this->Stiffness; }
   /** Column j: the coefficients of the gradient projection of phi_j in the basis. */
@@ -78,11 +83,12 @@ public:
   double Area() const { return this->ElementArea; }
   double Diameter() const { return this->ElementDiameter; }
 
-  /** Of the general matrices, also where the closed form of the lowest order is used. */
   ElementChecks GetChecks();
 
 private:
-  void SetLowestOrder();
+  void Set(PolygonView vertices, bool withMatrix);
+  void SetLowestOrder(bool withMatrix);
+  void SetMatricesOfClosedForm();
   void SetGeneral();
   void Integrate();
   void IntegrateLinear();

@@ -300,6 +300,14 @@ bool EllipticProblem::HasNeumannEdges() const
   return this->Parts->Neumann.has_value();
 }
 
+bool EllipticProblem::IsSmooth() const
+{
+  const auto isSmooth = [](const std::optional<FormulaProgram>& program)
+  { return !program || program->IsSmooth(); };
+  return this->Parts->Coefficients.IsSmooth() && isSmooth(this->Parts->Solution) &&
+    isSmooth(this->Parts->Load);
+}
+
 void EllipticProblem::Evaluate(const PointBlock& points, TestProblemBlock& values) const
 {
   BlockOfNumbers size;

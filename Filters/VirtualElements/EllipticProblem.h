@@ -82,6 +82,7 @@ public:
   bool HasAdvection() const; ///< so that the system is not symmetric
   bool HasReaction() const;
   bool HasNeumannEdges() const;
+  bool IsSmooth() const; ///< no formula calls a function with a jump or a kink
 
   /** u, its gradient, f. NaN for what is not known. */
   void Evaluate(const PointBlock& points, TestProblemBlock& values) const;

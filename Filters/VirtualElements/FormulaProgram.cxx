@@ -27,10 +27,10 @@ constexpr std::array Functions = {
   FormulaFunction{ "atanh", [](double v) { return std::atanh(v); } },
   FormulaFunction{ "exp", [](double v) { return std::exp(v); } },
   FormulaFunction{ "log", [](double v) { return std::log(v); } },
-  FormulaFunction{ "abs", [](double v) { return std::abs(v); } },
+  FormulaFunction{ "abs", [](double v) { return std::abs(v); }, false },
   FormulaFunction{ "step", [](double v) { return v < 0.0 ? 0.0
                                             : v > 0.0    ? 1.0
-                                                         : 0.5; } },
+                                                         : 0.5; }, false },
 };
 
 double IntegerPower(double base, double power)
@@ -106,6 +106,16 @@ bool FormulaProgram::IsConstant(std::size_t output, double value) const
 {
   return this->IsConstant(output) &&
     this->Steps[static_cast<std::size_t>(this->Outputs[output])].Number == value;
+}
+
+bool FormulaProgram::IsSmooth() const
+{
+  return std::none_of(this->Steps.begin(), this->Steps.end(),
+    [](const Step& step)
+    {
+      return step.What == Operation::Call &&
+        !Functions[static_cast<std::size_t>(step.Second)].Smooth;
+    });
 }
 
 void FormulaProgram::Evaluate(const PointBlock& points, std::span<BlockOfNumbers> outputs) const

@@ -22,6 +22,7 @@ struct FormulaFunction
 {
   const char* Name;
   double (*Function)(double);
+  bool Smooth = true; ///< where it is defined
 };
 
 std::span<const FormulaFunction> FormulaFunctions();
@@ -58,6 +59,9 @@ public:
   bool IsConstant(std::size_t output, double value) const;
   /** Whether the output does not depend on the place. */
   bool IsConstant(std::size_t output) const;
+
+  /** Whether no function with a jump or a kink is called. */
+  bool IsSmooth() const;
 
   void Evaluate(const PointBlock& points, std::span<BlockOfNumbers> outputs) const;
 

@@ -42,6 +42,23 @@ double AvailableMemory()
   return std::numeric_limits<double>::infinity();
 }
 
+// The only place where an iteration of Eigen's can be heard is its preconditioner.
+class CheckedIncompleteLU : public Eigen::IncompleteLUT<double>
+{
+public:
+  template <typename Vector>
+  auto solve(const Vector& vector) const
+  {
+    if (this->Check)
+    {
+      this->Check();
+    }
+    return this->Eigen::IncompleteLUT<double>::solve(vector);
+  }
+
+  std::function<void()> Check;
+};
+
 std::unique_ptr<Factorization> Factorize(const SparseMatrix& matrix, double memoryLimit)
 {
   if (matrix.Symmetric)
@@ -96,7 +113,8 @@ std::vector<double> Iterate(const SparseMatrix& matrix, std::span<const double> 
     static_cast<Eigen::Index>(matrix.Row.size()), matrix.ColumnStart.data(), matrix.Row.data(),
     matrix.Value.data());
   const Eigen::SparseMatrix<double> copy = view;
-  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, Eigen::IncompleteLUT<double>> solver;
+  Eigen::BiCGSTAB<Eigen::SparseMatrix<double>, CheckedIncompleteLU> solver;
+  solver.preconditioner().Check = check;
   solver.setTolerance(ResidualTolerance);
   solver.setMaxIterations(limit);
   solver.compute(copy);

@@ -27,7 +27,7 @@ struct LinearSolution
  * Direct solutions have one step of refinement; iterations end at a residual of 1e-12 of the
  * right-hand side. `matrix` must live as long as the factor. Throws std::runtime_error, one
  * sentence, where there is no solution in double precision or in memory. `check` is called in every
- * iteration and may throw.
+ * iteration and may throw; factorisations, complete or not, do not call it.
  */
 LinearSolution SolveLinearSystem(const SparseMatrix& matrix, std::span<const double> rightHandSide,
   SolverKind kind, const std::function<void()>& check = {});

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The PEMesh developers
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
- * Integrals over triangles to a wanted accuracy.
+ * Integrals over triangles to a wanted accuracy, of functions that are smooth on the scale of the
+ * triangle or that quadrature can see not to be so: what is narrower than about a tenth of a
+ * triangle, or jumps in a corner of it, may be missed.
  *
- * Three symmetric rules of degree 5, 8 and 12 (7, 16 and 33 points, all inside, all weights
- * positive; D. A. Dunavant, Int. J. Numer. Methods Eng. 21 (1985) 1129-1148) are tried in turn
- * until two agree; where the last two do not, the triangle is cut into four. The first is compared
- * with a rule of degree 2 on its own points, so that small elements cost 7 evaluations. It is the
- * better one of the two rules that is returned, and DifferenceAllowed says from which difference of
- * the two its own error follows, as QUADPACK does (R. Piessens, E. de Doncker-Kapenga, C. W.
- * Ueberhuber, D. K. Kahaner, QUADPACK, 1983).
+ * Symmetric rules of degree 5, 8 and 12 (7, 16 and 33 points, all inside, all weights positive; D.
+ * A. Dunavant, Int. J. Numer. Methods Eng. 21 (1985) 1129-1148) are tried in turn until two agree;
+ * where the last two do not, the triangle is cut into four. The first is compared with a rule of
+ * lower degree on its own points, so that small elements cost little. It is the better one of the
+ * two rules that is returned, and DifferenceAllowed says from which difference of the two its own
+ * error follows, as QUADPACK does (R. Piessens, E. de Doncker-Kapenga, C. W. Ueberhuber, D. K.
+ * Kahaner, QUADPACK, 1983).
  */
 #ifndef pemesh_Quadrature_h
 #define pemesh_Quadrature_h
@@ -37,23 +39,37 @@ struct QuadratureBlock
   BlockOfNumbers Third;
   BlockOfNumbers Weight; ///< zero at the points that only fill up the last block
   ///@{
-  /** Of rules on some of these points, of degree 2 and 1; only in the rule of degree 5. */
-  BlockOfNumbers SecondDegreeWeight;
-  BlockOfNumbers FirstDegreeWeight;
+  /** Of a rule on some of these points: of degree 2, 4, 6 for that of degree 5, 8, 12. */
+  BlockOfNumbers EmbeddedWeight;
+  BlockOfNumbers FirstDegreeWeight; ///< of degree 1; only in the rule of degree 5
   ///@}
 };
 
 inline constexpr std::size_t NumberOfTriangleRules = 3;
 inline constexpr std::array<int, NumberOfTriangleRules> TriangleRuleDegrees = { 5, 8, 12 };
 
-/** The degrees of the two rules that are compared at each step. */
+/** The degrees of two rules that are compared. */
 struct ComparedRules
 {
   int Coarse;
   int Fine;
 };
-inline constexpr std::array<ComparedRules, NumberOfTriangleRules> TriangleRuleSteps = { { { 2, 5 },
-  { 5, 8 }, { 8, 12 } } };
+
+/** A rule, and what it is compared with: the one before, or for the first the one on its points. */
+struct QuadratureStep
+{
+  std::span<const QuadratureBlock> Rule;
+  ComparedRules Degrees; ///< Coarse is negative where there is nothing to compare the first with
+};
+
+/** For any function: 2 with 5, 5 with 8, 8 with 12. */
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::span<const QuadratureStep> GeneralSteps();
+
+/**
+ * For squares of the errors of a method of order 1 … 6, polynomials of degree 2 k + 2 on tiny
+ * triangles: rules from that degree on.
+ */
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::span<const QuadratureStep> StepsForErrors(int order);
 
 /**
  * The relative difference of two rules at which the error of the finer one is about `tolerance`.
@@ -67,8 +83,8 @@ PEMESHFILTERSVIRTUALELEMENTS_EXPORT double DifferenceAllowed(
   double tolerance, const ComparedRules& rules, int lowest = 0);
 
 /** The same for all steps. */
-PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::array<double, NumberOfTriangleRules> DifferencesAllowed(
-  double tolerance, int lowest = 0);
+PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::vector<double> DifferencesAllowed(
+  double tolerance, std::span<const QuadratureStep> steps, int lowest = 0);
 
 /** The rule exact for polynomials of degree TriangleRuleDegrees[index]. */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT std::span<const QuadratureBlock> TriangleRule(
@@ -106,8 +122,8 @@ struct TriangleIntegrals
   std::vector<double> Value;
   std::vector<double> Absolute;
   ///@{
-  /** By the rules of degree 2 and 1; empty from the second rule on. */
-  std::vector<double> SecondDegree;
+  /** By the rules on the same points; empty from the second rule on. */
+  std::vector<double> Embedded;
   std::vector<double> FirstDegree;
   ///@}
 };
@@ -122,25 +138,29 @@ using IntegrandValues = std::span<BlockOfNumbers>;
 class TriangleIntegrator
 {
 public:
-  explicit TriangleIntegrator(std::size_t size)
-    : Values(size)
+  /** Every triangle is cut `leastCuts` times whatever the rules say, for functions with jumps. */
+  explicit TriangleIntegrator(std::size_t size,
+    std::span<const QuadratureStep> steps = GeneralSteps(), std::size_t leastCuts = 0)
+    : Steps(steps)
+    , LeastCuts(leastCuts)
+    , Values(size)
     , Levels(1)
   {
   }
 
-  /** One rule, no subdivision. The values of lower degree are those of rule 0 alone. */
+  /** One rule, no subdivision; those on the same points as well if asked for. */
   template <typename Integrand>
-  void ApplyRule(std::size_t rule, const Triangle2& triangle, const Integrand& integrand,
-    TriangleIntegrals& sums)
+  void ApplyRule(std::span<const QuadratureBlock> rule, bool withEmbedded,
+    const Triangle2& triangle, const Integrand& integrand, TriangleIntegrals& sums)
   {
     const std::size_t size = this->Values.size();
     sums.Value.assign(size, 0.0);
     sums.Absolute.assign(size, 0.0);
-    const std::size_t lower = rule == 0 ? size : 0;
-    sums.SecondDegree.assign(lower, 0.0);
+    const std::size_t lower = withEmbedded ? size : 0;
+    sums.Embedded.assign(lower, 0.0);
     sums.FirstDegree.assign(lower, 0.0);
     PointBlock points;
-    for (const QuadratureBlock& block : TriangleRule(rule))
+    for (const QuadratureBlock& block : rule)
     {
       PlaceBlock(block, triangle, points);
       integrand(points, IntegrandValues(this->Values));
@@ -161,7 +181,7 @@ public:
       {
         for (std::size_t i = 0; i < PointBlockSize; ++i)
         {
-          sums.SecondDegree[k] += block.SecondDegreeWeight[i] * this->Values[k][i];
+          sums.Embedded[k] += block.EmbeddedWeight[i] * this->Values[k][i];
           sums.FirstDegree[k] += block.FirstDegreeWeight[i] * this->Values[k][i];
         }
       }
@@ -174,7 +194,7 @@ public:
     }
     for (std::size_t k = 0; k < lower; ++k)
     {
-      sums.SecondDegree[k] *= area;
+      sums.Embedded[k] *= area;
       sums.FirstDegree[k] *= area;
     }
   }
@@ -182,7 +202,7 @@ public:
   /**
    * Adds the integral over a triangle (signed area) to `sum`. `agree(coarse, fine, area, step) ->
    * bool` decides whether two approximations, both TriangleIntegrals, by the rules
-   * TriangleRuleSteps[step], are near enough. At most `depth` bisections of the sides are made.
+   * of a step, are near enough. At most `depth` bisections of the sides are made.
    */
   template <typename Integrand, typename Agree>
   void Add(const Triangle2& triangle, const Integrand& integrand, const Agree& agree,
@@ -201,16 +221,18 @@ private:
       this->Levels.resize(level + 1);
     }
     const double area = TriangleArea(triangle);
-    for (std::size_t step = 0; step < NumberOfTriangleRules; ++step)
+    for (std::size_t step = 0; level >= this->LeastCuts && step < this->Steps.size(); ++step)
     {
-      this->ApplyRule(step, triangle, integrand, this->Fine);
+      const bool isCompared = this->Steps[step].Degrees.Coarse >= 0;
+      this->ApplyRule(
+        this->Steps[step].Rule, step == 0 && isCompared, triangle, integrand, this->Fine);
       if (step == 0)
       {
-        this->Coarse.Value.swap(this->Fine.SecondDegree);
+        this->Coarse.Value.swap(this->Fine.Embedded);
         this->Coarse.FirstDegree.swap(this->Fine.FirstDegree);
       }
-      if (agree(this->Coarse, this->Fine, area, step) ||
-        (depth <= 0 && step + 1 == NumberOfTriangleRules))
+      if ((isCompared && agree(this->Coarse, this->Fine, area, step)) ||
+        (depth <= 0 && step + 1 == this->Steps.size()))
       {
         for (std::size_t k = 0; k < sum.size(); ++k)
         {
@@ -239,6 +261,8 @@ private:
     }
   }
 
+  std::span<const QuadratureStep> Steps;
+  std::size_t LeastCuts;
   std::vector<BlockOfNumbers> Values;
   TriangleIntegrals Coarse;
   TriangleIntegrals Fine;

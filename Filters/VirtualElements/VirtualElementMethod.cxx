@@ -36,8 +36,12 @@ constexpr double CgTolerance = 1.0e-8;
 
 // Name, label, logarithmic, measured, detail, value.
 constexpr std::array Performances = {
+  Performance{ "condition-number", "Condition number (1-norm, moments eliminated)", true, false,
+    false, &Result::ConditionNumber },
+  Performance{ "condition-is-estimate", "Condition number in the 1-norm is estimated (1: yes)",
+    false, false, false, &Result::ConditionIsEstimate },
   Performance{
-    "condition-number", "Condition number (1-norm)", true, false, false, &Result::ConditionNumber },
+    "iterative", "Solved by iteration (1: yes)", false, false, false, &Result::Iterative },
   Performance{ "relative-error-energy", "Relative error, energy norm", true, false, false,
     &Result::RelativeErrorEnergy },
   Performance{ "relative-error-inf", "Relative error, maximum norm", true, false, false,
@@ -57,8 +61,8 @@ constexpr std::array Performances = {
   Performance{ "dofs", "Degrees of freedom", false, false, false, &Result::DegreesOfFreedom },
   Performance{ "mesh-size", "Mesh size", false, false, false, &Result::MeshSize },
   Performance{ "nonzeros", "Entries of the matrix", false, false, false, &Result::Nonzeros },
-  Performance{ "condition-number-2", "Condition number (2-norm)", true, false, true,
-    &Result::SpectralConditionNumber },
+  Performance{ "condition-number-2", "Condition number (2-norm, moments eliminated)", true, false,
+    true, &Result::SpectralConditionNumber },
   Performance{ "projection-condition", "Worst condition number of a projection", true, false, true,
     &Result::WorstProjectionCondition },
   Performance{ "gradient-check", "Worst residual of G = B D", true, false, true,
@@ -274,6 +278,7 @@ VirtualElementResult SolveElliptic(vtkPolyData* data, const EllipticProblem& pro
   const LinearSolution solution =
     SolveLinearSystem(system.Matrix, system.RightHandSide, options.Solver, check);
   result.SolveSeconds = solving.Seconds();
+  result.Iterative = solution.Factor ? 0.0 : 1.0;
   report.Tell(0.6);
   for (std::size_t i = 0; i < solution.Values.size(); ++i)
   {
@@ -281,9 +286,9 @@ VirtualElementResult SolveElliptic(vtkPolyData* data, const EllipticProblem& pro
   }
   if (solution.Factor)
   {
-    const auto [condition, exact] = ComputeConditionNumber(system.Matrix, *solution.Factor);
+    const auto [condition, exact] = ComputeConditionNumber(system.Matrix, *solution.Factor, check);
     result.ConditionNumber = condition;
-    result.ConditionNumberIsExact = exact;
+    result.ConditionIsEstimate = exact ? 0.0 : 1.0;
   }
   report.Tell(0.7);
   if (options.Details)

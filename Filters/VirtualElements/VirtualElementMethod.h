@@ -7,7 +7,10 @@
  * the data.
  *
  * Integrals of f and of the errors are taken over a triangulation of each element, to a relative
- * 1e-10 (Quadrature.h); polynomials are integrated exactly, coefficients by a rule of degree 2k
+ * 1e-10 where the functions are smooth on the scale of its triangles; where a formula has jumps or
+ * kinks, triangles are cut at least once, and up to 1e-2 of one that a jump crosses is left. What
+ * is narrower than a tenth of a triangle may not be seen at all (Quadrature.h). Polynomials are
+ * integrated exactly, coefficients by a rule of degree 2k
  * + 8. Vertices in the middle of a side of an element are vertices like all others; the edges of
  * one element are the boundary. Elements are treated in parallel with vtkSMPTools, every result in
  * a slot of its own, sums in the order of the elements: the same bits with any number of threads.
@@ -54,8 +57,18 @@ struct VirtualElementResult
 
   double DegreesOfFreedom = 0.0; ///< unknowns of the system: those inside elements are eliminated
   double MeshSize = 0.0;         ///< largest diameter of an element
-  double ConditionNumber = 0.0;  ///< 1-norm, of the system's matrix; NaN if solved by iteration
-  bool ConditionNumberIsExact = true;
+
+  ///@{
+  /**
+   * In the 1-norm, of the system's matrix: from order 2 on that is the Schur complement which
+   * elimination of the moments leaves. Exact below 500 unknowns, else a lower bound, seldom more
+   * than a few per cent below, and ConditionIsEstimate is 1. NaN, both, if Iterative is 1, because
+   * then there is no factor.
+   */
+  double ConditionNumber = 0.0;
+  double ConditionIsEstimate = 0.0;
+  double Iterative = 0.0;
+  ///@}
 
   ///@{
   /**
@@ -99,7 +112,8 @@ PEMESHFILTERSVIRTUALELEMENTS_EXPORT VirtualElementResult UndefinedVirtualElement
 
 /**
  * Told between the parts of a run, and about ten times a second within most of them, the fraction
- * done; false ends it with SolveAborted. Only a factorisation cannot be interrupted.
+ * done; false ends it with SolveAborted. A factorisation, complete or not, cannot be interrupted: a
+ * program that must be able to end at any time runs pemesh-vem.
  */
 using SolveProgress = std::function<bool(double fraction)>;
 

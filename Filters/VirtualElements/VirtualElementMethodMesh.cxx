@@ -192,6 +192,115 @@ void FindBoundary(VirtualElementMesh& mesh)
   }
 }
 
+// The vertices of the boundary in the squares of a grid, about one a square.
+class BoundaryGrid
+{
+public:
+  explicit BoundaryGrid(const VirtualElementMesh& mesh)
+    : Mesh(mesh)
+  {
+    std::vector<vtkIdType> ids;
+    for (vtkIdType id = 0; id < mesh.NumberOfPoints(); ++id)
+    {
+      if (mesh.OnBoundary[id])
+      {
+        const Point2& p = mesh.Points[id];
+        this->Low = ids.empty() ? p : Point2{ std::min(Low.x, p.x), std::min(Low.y, p.y) };
+        this->High = ids.empty() ? p : Point2{ std::max(High.x, p.x), std::max(High.y, p.y) };
+        ids.push_back(id);
+      }
+    }
+    this->Count = static_cast<vtkIdType>(std::sqrt(static_cast<double>(ids.size()))) + 1;
+    this->Cells.resize(static_cast<std::size_t>(this->Count) * this->Count);
+    for (const vtkIdType id : ids)
+    {
+      const Point2& p = mesh.Points[id];
+      this->Cells[this->Row(p.y) * this->Count + this->Column(p.x)].push_back(id);
+    }
+  }
+
+  /** A vertex near the inside of the segment, or -1. */
+  vtkIdType FindOn(vtkIdType from, vtkIdType to) const
+  {
+    const Point2& a = this->Mesh.Points[std::min(from, to)];
+    const Point2& b = this->Mesh.Points[std::max(from, to)];
+    const auto [bottom, top] = std::minmax({ this->Row(a.y), this->Row(b.y) });
+    const double height = (this->High.y - this->Low.y) / static_cast<double>(this->Count);
+    for (vtkIdType row = bottom; row <= top; ++row)
+    {
+      // The part of the segment that is in this row, or next to it.
+      const double y = this->Low.y + height * static_cast<double>(row);
+      const auto place = [&](double level)
+      { return a.y == b.y ? 0.5 : std::clamp((level - a.y) / (b.y - a.y), 0.0, 1.0); };
+      const double s = a.y == b.y ? 0.0 : place(y - height);
+      const double t = a.y == b.y ? 1.0 : place(y + 2.0 * height);
+      const auto [left, right] =
+        std::minmax({ this->Column(a.x + s * (b.x - a.x)), this->Column(a.x + t * (b.x - a.x)) });
+      for (vtkIdType column = left; column <= right; ++column)
+      {
+        for (const vtkIdType id : this->Cells[row * this->Count + column])
+        {
+          if (id != from && id != to && IsInside(a, b, this->Mesh.Points[id]))
+          {
+            return id;
+          }
+        }
+      }
+    }
+    return -1;
+  }
+
+private:
+  static bool IsInside(const Point2& a, const Point2& b, const Point2& p)
+  {
+    constexpr double near = 1.0e-9; // of the length of the edge
+    const Point2 along{ b.x - a.x, b.y - a.y };
+    const double square = along.x * along.x + along.y * along.y;
+    const double place = ((p.x - a.x) * along.x + (p.y - a.y) * along.y) / square;
+    const double beside = ((p.x - a.x) * along.y - (p.y - a.y) * along.x) / square;
+    return place > near && place < 1.0 - near && std::abs(beside) < near;
+  }
+
+  vtkIdType Slot(double value, double low, double high) const
+  {
+    const double part = high > low ? (value - low) / (high - low) : 0.0;
+    return std::clamp<vtkIdType>(
+      static_cast<vtkIdType>(part * static_cast<double>(this->Count)), 0, this->Count - 1);
+  }
+  vtkIdType Row(double y) const { return this->Slot(y, this->Low.y, this->High.y); }
+  vtkIdType Column(double x) const { return this->Slot(x, this->Low.x, this->High.x); }
+
+  const VirtualElementMesh& Mesh;
+  Point2 Low;
+  Point2 High;
+  vtkIdType Count = 0;
+  std::vector<std::vector<vtkIdType>> Cells;
+};
+
+void CheckConforming(const VirtualElementMesh& mesh)
+{
+  const BoundaryGrid grid(mesh);
+  for (vtkIdType element = 0; element < mesh.NumberOfElements(); ++element)
+  {
+    const auto ids = mesh.Element(element);
+    for (std::size_t i = 0; i < ids.size(); ++i)
+    {
+      const vtkIdType to = ids[i + 1 == ids.size() ? 0 : i + 1];
+      const bool isBoundary =
+        mesh.EdgeOnBoundary[mesh.EdgeOf[mesh.Offsets[element] + static_cast<vtkIdType>(i)]] != 0;
+      const vtkIdType vertex = isBoundary ? grid.FindOn(ids[i], to) : -1;
+      if (vertex >= 0)
+      {
+        throw std::runtime_error("Vertex " + std::to_string(vertex) + " lies on the edge between " +
+          std::to_string(ids[i]) + " and " + std::to_string(to) + " of element " +
+          std::to_string(element) +
+          ", which does not have it: elements must share whole edges, so "
+          "make it a vertex of that element, too.");
+      }
+    }
+  }
+}
+
 } // namespace
 
 void VirtualElementMesh::GetVertices(vtkIdType element, std::vector<Point2>& vertices) const
@@ -217,6 +326,7 @@ VirtualElementMesh MakeVirtualElementMesh(vtkPolyData* data)
   CheckElements(mesh);
   FindUses(mesh);
   FindBoundary(mesh);
+  CheckConforming(mesh);
   return mesh;
 }
 

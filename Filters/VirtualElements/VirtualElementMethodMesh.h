@@ -25,7 +25,7 @@ struct VirtualElementMesh
   std::vector<Point2> Points;
   std::vector<vtkIdType> Offsets; ///< element e has the corners Offsets[e] … Offsets[e + 1] - 1
   std::vector<vtkIdType> Corners; ///< point ids, counter-clockwise
-  std::vector<char> OnBoundary;   ///< of each point
+  std::vector<char> OnBoundary;   ///< of each point: end of an edge of one element
   std::vector<char> Used;         ///< of each point: belongs to an element
 
   ///@{
@@ -57,7 +57,8 @@ struct VirtualElementMesh
  * Throws std::runtime_error, one sentence with the culprit, where the mesh cannot carry a
  * problem: no elements, coordinates that are not finite, a clockwise or flat element, a vertex
  * repeated in an element, an edge of more than two elements or used twice in one direction
- * (elements overlap).
+ * (elements overlap), a vertex on an edge of the boundary that it is no end of (a T-junction, whose
+ * two sides would both count as boundary and get the exact solution).
  */
 PEMESHFILTERSVIRTUALELEMENTS_EXPORT VirtualElementMesh MakeVirtualElementMesh(vtkPolyData* mesh);
 

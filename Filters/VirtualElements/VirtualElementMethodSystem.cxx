@@ -81,6 +81,12 @@ private:
     if (moments == 0)
     {
       target = load;
+      if (const auto packed = matrices.PackedMatrix(); !packed.empty())
+      {
+        std::copy(packed.begin(), packed.end(),
+          this->Parts.Matrix.begin() + static_cast<std::ptrdiff_t>(this->Parts.MatrixOffset[id]));
+        return;
+      }
       this->StoreMatrix(id, matrices.Matrix());
       return;
     }
@@ -150,38 +156,52 @@ struct DofUses
   }
 };
 
-// Assembles a range of columns: counts their entries, or fills them in.
+// A range of columns of the matrix, one after the other, until all have their place.
+struct ColumnPart
+{
+  std::vector<int> Row;
+  std::vector<double> Value;
+};
+
+// Assembles parts of the columns, and the right-hand side.
 class ColumnWorker
 {
 public:
   ColumnWorker(const DegreesOfFreedom& dofs, const DofUses& uses, const VirtualElementParts& parts,
-    std::span<const double> known, VirtualElementSystem& system, bool fill)
+    std::span<const double> known, VirtualElementSystem& system, std::vector<ColumnPart>& columns)
     : Dofs(dofs)
     , Uses(uses)
     , Parts(parts)
     , Known(known)
     , System(system)
-    , Fill(fill)
+    , Columns(columns)
   {
   }
 
   void operator()(vtkIdType first, vtkIdType last) const
   {
-    // As long as there are unknowns: the loop must not have many parts.
-    std::vector<double> sums(this->System.DofOf.size(), 0.0);
-    std::vector<char> met(this->System.DofOf.size(), 0);
-    std::vector<int> rows;
-    for (vtkIdType column = first; column < last; ++column)
+    std::vector<Term> terms;
+    for (vtkIdType part = first; part < last; ++part)
     {
-      rows.clear();
-      this->AddElements(column, sums, met, rows);
-      this->Store(column, sums, met, rows);
+      const auto size = static_cast<vtkIdType>(this->System.DofOf.size());
+      for (vtkIdType column = part * size / ColumnParts; column < (part + 1) * size / ColumnParts;
+           ++column)
+      {
+        terms.clear();
+        this->AddElements(column, terms);
+        this->Store(column, terms, this->Columns[part]);
+      }
     }
   }
 
 private:
-  void AddElements(vtkIdType column, std::vector<double>& sums, std::vector<char>& met,
-    std::vector<int>& rows) const
+  struct Term
+  {
+    int Row;
+    double Value;
+  };
+
+  void AddElements(vtkIdType column, std::vector<Term>& terms) const
   {
     const vtkIdType dof = this->System.DofOf[column];
     double load = 0.0;
@@ -200,43 +220,32 @@ private:
         }
         else if (row >= column || !this->Parts.Symmetric)
         {
-          if (!met[row])
-          {
-            met[row] = 1;
-            rows.push_back(row);
-          }
-          sums[row] += this->Parts.Entry(element, i, place, ids.size());
+          terms.push_back({ row, this->Parts.Entry(element, i, place, ids.size()) });
         }
       }
     }
     this->System.RightHandSide[column] = load;
   }
 
-  // Leaves the work space clean for the next column.
-  void Store(vtkIdType column, std::vector<double>& sums, std::vector<char>& met,
-    std::vector<int>& rows) const
+  // The terms of a row are added in the order of the elements.
+  void Store(vtkIdType column, std::vector<Term>& terms, ColumnPart& part) const
   {
-    SparseMatrix& matrix = this->System.Matrix;
-    if (this->Fill)
+    std::stable_sort(
+      terms.begin(), terms.end(), [](const Term& a, const Term& b) { return a.Row < b.Row; });
+    const std::size_t before = part.Row.size();
+    for (const Term& term : terms)
     {
-      std::sort(rows.begin(), rows.end());
-      int slot = matrix.ColumnStart[column];
-      for (const int row : rows)
+      if (part.Row.size() > before && part.Row.back() == term.Row)
       {
-        matrix.Row[slot] = row;
-        matrix.Value[slot] = sums[row];
-        ++slot;
+        part.Value.back() += term.Value;
+      }
+      else
+      {
+        part.Row.push_back(term.Row);
+        part.Value.push_back(term.Value);
       }
     }
-    else
-    {
-      matrix.ColumnStart[column + 1] = static_cast<int>(rows.size());
-    }
-    for (const int row : rows)
-    {
-      sums[row] = 0.0;
-      met[row] = 0;
-    }
+    this->System.Matrix.ColumnStart[column + 1] = static_cast<int>(part.Row.size() - before);
   }
 
   const DegreesOfFreedom& Dofs;
@@ -244,7 +253,7 @@ private:
   const VirtualElementParts& Parts;
   std::span<const double> Known;
   VirtualElementSystem& System;
-  bool Fill;
+  std::vector<ColumnPart>& Columns;
 };
 
 void NumberUnknowns(const DegreesOfFreedom& dofs, VirtualElementSystem& system)
@@ -278,6 +287,21 @@ void CheckFinite(const VirtualElementParts& parts, const DegreesOfFreedom& dofs)
 }
 
 } // namespace
+
+double VirtualElementParts::Form(vtkIdType element, std::span<const double> v) const
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+  {
+    double row = 0.0;
+    for (std::size_t j = 0; j < v.size(); ++j)
+    {
+      row += this->Entry(element, i, j, v.size()) * v[j];
+    }
+    sum += v[i] * row;
+  }
+  return sum;
+}
 
 void ForElements(
   vtkIdType elements, SolveReport& report, const std::function<void(vtkIdType, vtkIdType)>& body)
@@ -328,8 +352,8 @@ VirtualElementSystem AssembleSystem(
   system.RightHandSide.resize(unknowns);
   std::vector<int>& start = system.Matrix.ColumnStart;
   start.assign(unknowns + 1, 0);
-  const vtkIdType grain = unknowns / ColumnParts + 1;
-  ParallelLoop(0, unknowns, grain, ColumnWorker(dofs, uses, parts, known, system, false));
+  std::vector<ColumnPart> columns(ColumnParts);
+  ParallelLoop(0, ColumnParts, 1, ColumnWorker(dofs, uses, parts, known, system, columns));
   for (vtkIdType column = 0; column < unknowns; ++column)
   {
     if (start[column + 1] > std::numeric_limits<int>::max() - start[column])
@@ -339,9 +363,14 @@ VirtualElementSystem AssembleSystem(
     }
     start[column + 1] += start[column];
   }
-  system.Matrix.Row.resize(start.back());
-  system.Matrix.Value.resize(start.back());
-  ParallelLoop(0, unknowns, grain, ColumnWorker(dofs, uses, parts, known, system, true));
+  system.Matrix.Row.reserve(start.back());
+  system.Matrix.Value.reserve(start.back());
+  for (ColumnPart& part : columns)
+  {
+    system.Matrix.Row.insert(system.Matrix.Row.end(), part.Row.begin(), part.Row.end());
+    system.Matrix.Value.insert(system.Matrix.Value.end(), part.Value.begin(), part.Value.end());
+    part = {};
+  }
   return system;
 }
 

@@ -43,6 +43,9 @@ struct VirtualElementParts
     }
     return i >= j ? matrix[i * (i + 1) / 2 + j] : matrix[j * (j + 1) / 2 + i];
   }
+
+  /** v^T K v with the matrix of an element. */
+  double Form(vtkIdType element, std::span<const double> v) const;
 };
 
 /**

@@ -53,8 +53,8 @@ constexpr std::array Stabilisations = {
     [](const StabilisationInput& input) { return input.OnBoundary ? input.MeanDiffusion : 0.0; } },
   StabilisationRule{ "none", "None (enlarged projection)",
     "0, with gradients projected on degree l: (l + 1) (l + 2) >= degrees of freedom - 1",
-    "S. Berrone, A. Borio, F. Marcon, Lowest order stabilization free virtual element method for "
-    "the 2D Poisson equation, arXiv 2103.16896 (2021)",
+    "for order 1 S. Berrone, A. Borio, F. Marcon, Lowest order stabilization free virtual element "
+    "method for the 2D Poisson equation, arXiv 2103.16896 (2021); the same count is used above",
     nullptr },
 };
 

@@ -18,6 +18,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <thread>
 #include <vector>
@@ -73,6 +74,8 @@ const FakeSolver FakeSolvers[] = {
   { "fpe", "kill -FPE $$", "crashed", "SIGFPE" },
   { "group", "kill -KILL 0", "crashed", "SIGKILL" },
   { "supervisor", "kill -KILL $PPID; sleep 60", "crashed", "supervisor" },
+  { "supervisor-daemon", "setsid sleep 60 & (env -i setsid sleep 60 &); kill -KILL $PPID; sleep 60",
+    "crashed", "supervisor" },
   // Endless.
   { "hangs", "sleep 60", "time-out", "time limit of 3 s" },
   { "hangs-child", "sleep 60 & sleep 60 & wait", "time-out" },
@@ -120,11 +123,17 @@ const FakeSolver FakeSolvers[] = {
     "is a folder" },
   { "forbidden", "answer; chmod 000 \"$base-solution.txt\"", "ok|partial" }, // root may read it
   { "no-folder", "answer; rm -r \"$output\"", "bad-output", "removed its own folder" },
+  { "link-folder", "answer; mv \"$output\" \"$output-moved\"; ln -s \"$precious\" \"$output\"",
+    "bad-output", "link in place of its own folder" },
+  { "link-logs",
+    "answer; for f in stdout.log stderr.log command.txt; do ln -sf "
+    "\"$precious/precious\" \"$output/$f\"; done; exit 1",
+    "exit-status" },
   { "other-folder", "answer; mv \"$output\" \"$output-moved\"; mkdir \"$output\"", "bad-output" },
 };
 
 const char* const SolverScript = R"(#!/bin/sh
-mode=$1 mesh=$2 output=$3 stem=$4
+mode=$1 mesh=$2 output=$3 stem=$4 precious=${0%/*}/out-of-bounds
 base=$output/$stem
 answer()
 {
@@ -157,6 +166,30 @@ std::vector<std::string> MarkedProcesses(const std::string& mark)
   return found;
 }
 
+/** All files below a folder but for those in its folder "out", with their contents. */
+std::map<std::string, std::string> FilesOf(const fs::path& folder)
+{
+  std::map<std::string, std::string> files;
+  for (fs::recursive_directory_iterator entry(folder), end; entry != end; ++entry)
+  {
+    if (entry->path() == folder / "out")
+    {
+      entry.disable_recursion_pending();
+    }
+    else
+    {
+      files[entry->path()] = entry->is_regular_file() ? FileText(entry->path()) : "";
+    }
+  }
+  return files;
+}
+
+/** Whether the number of a fake solver that ends well is a good one. */
+bool HasGoodNumber(const FakeSolver& fake)
+{
+  return std::string(fake.Script).find("$base-number.txt") == std::string::npos;
+}
+
 std::set<std::string> NamesIn(const fs::path& folder)
 {
   std::set<std::string> names;
@@ -167,13 +200,13 @@ std::set<std::string> NamesIn(const fs::path& folder)
   return names;
 }
 
-std::string MakeStudy(const fs::path& folder)
+std::string MakeStudy(const fs::path& folder, std::span<const FakeSolver> fakes)
 {
   WriteFile(folder / "a.off", "OFF\n4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
   WriteFile(folder / "solver.sh", SolverScript);
   fs::permissions(folder / "solver.sh", fs::perms::owner_all);
   std::string modes;
-  for (const FakeSolver& fake : FakeSolvers)
+  for (const FakeSolver& fake : fakes)
   {
     WriteFile(folder / "modes" / fake.Name, fake.Script + std::string("\n"));
     modes += (modes.empty() ? "\"" : ", \"") + std::string(fake.Name) + '"';
@@ -195,9 +228,9 @@ TEST(Torture, TheStudyEndsAndNamesEveryFailure)
 {
   const fs::path root = pemesh::TestFolder("torture");
   const fs::path folder = root / "it's \"odd\";\n ü 网 $(x) {mode} -";
-  const std::string study = MakeStudy(folder);
+  const std::string study = MakeStudy(folder, FakeSolvers);
   WriteFile(folder / "out-of-bounds" / "precious", "mine");
-  const std::set<std::string> before = NamesIn(folder);
+  const std::map<std::string, std::string> before = FilesOf(folder);
   const std::string mark = "PEMESH_TORTURE=" + std::to_string(getpid());
   setenv("PEMESH_TORTURE", std::to_string(getpid()).c_str(), 1);
   const auto run = pemesh::RunProgram("pemesh", { "run", study, "-o", folder / "out", "-j", "12" });
@@ -205,9 +238,7 @@ TEST(Torture, TheStudyEndsAndNamesEveryFailure)
   EXPECT_EQ(run.ExitCode, 1) << run.Errors;
 
   EXPECT_THAT(MarkedProcesses(mark), testing::IsEmpty());
-  std::set<std::string> after = NamesIn(folder);
-  EXPECT_EQ(after.erase("out"), 1U);
-  EXPECT_EQ(after, before);
+  EXPECT_EQ(FilesOf(folder), before);
   EXPECT_EQ(NamesIn(folder / "out"),
     (std::set<std::string>{ "correlation.csv", "failures.csv", "findings.csv", "findings.txt",
       "index.csv", "journal.tsv", "meshes", "results.csv", "series.pvd", "solvers", "study.json",
@@ -232,7 +263,8 @@ TEST(Torture, TheStudyEndsAndNamesEveryFailure)
     EXPECT_THAT(messages[i], HasSubstr(fake.Says));
     EXPECT_EQ(results->GetValueByName(i, "Area_min").ToDouble(), 1.0);
     const double number = results->GetValueByName(i, "fake_number").ToDouble();
-    EXPECT_TRUE(number == 1.5 || (status != "ok" && std::isnan(number))) << number;
+    const bool isKept = status == "ok" || (status == "partial" && HasGoodNumber(fake));
+    EXPECT_TRUE(isKept ? number == 1.5 : std::isnan(number)) << number;
   }
   for (const auto& entry : fs::recursive_directory_iterator(folder / "out" / "solvers"))
   {
@@ -242,4 +274,56 @@ TEST(Torture, TheStudyEndsAndNamesEveryFailure)
     }
   }
   fs::remove_all(root); // some of it is large
+}
+
+// What they leave is in the way of the next attempt, and of the next run.
+const FakeSolver Planters[] = {
+  { "good", "answer", "ok" },
+  { "pipes",
+    "for f in stdout.log stderr.log command.txt solved.txt \"$stem.off\" \"$stem.node\" "
+    "\"$stem.ele\" \"$stem-solution.txt\" \"$stem-ground-truth.txt\" \"$stem-number.txt\"; do "
+    "rm -f \"$output/$f\"; mkfifo \"$output/$f\"; done; exit 1",
+    "exit-status", "tried 2 times" },
+  { "endless-links",
+    "for f in stdout.log solved.txt \"$stem.off\" \"$stem.node\" \"$stem-number.txt\"; do ln -sf "
+    "/dev/zero \"$output/$f\"; done; exit 1",
+    "exit-status", "tried 2 times" },
+  { "links",
+    "for f in stdout.log stderr.log command.txt solved.txt \"$stem.off\" \"$stem-number.txt\"; do "
+    "ln -sf \"$precious/precious\" \"$output/$f\"; done; exit 1",
+    "exit-status", "tried 2 times" },
+  { "folders",
+    "for f in stdout.log solved.txt \"$stem.off\" \"$stem-number.txt\"; do rm -rf \"$output/$f\"; "
+    "mkdir -p \"$output/$f/x\"; done; exit 1",
+    "exit-status", "tried 2 times" },
+  { "second-time", "[ -e \"$output/once\" ] && answer || { : > \"$output/once\"; exit 1; }", "ok" },
+};
+
+TEST(Torture, NothingPlantedHoldsUpASecondAttemptOrRun)
+{
+  const fs::path folder = pemesh::TestFolder("planted");
+  const std::string study = MakeStudy(folder, Planters);
+  WriteFile(folder / "out-of-bounds" / "precious", "mine");
+  const std::map<std::string, std::string> before = FilesOf(folder);
+  for (const char* how : { "--fresh", "--resume" })
+  {
+    std::vector<std::string> arguments{ "run", study, "-o", folder / "out", "--retry", "1" };
+    if (std::string(how) == "--resume")
+    {
+      arguments.emplace_back(how);
+    }
+    const auto run = pemesh::RunProgram("pemesh", arguments);
+    EXPECT_EQ(run.ExitCode, 1) << run.Errors;
+    EXPECT_EQ(FilesOf(folder), before);
+    const auto results = pemesh::ReadCsvFile(folder / "out" / "results.csv");
+    ASSERT_EQ(results->GetNumberOfRows(), static_cast<vtkIdType>(std::size(Planters)));
+    for (vtkIdType i = 0; i < results->GetNumberOfRows(); ++i)
+    {
+      SCOPED_TRACE(Planters[i].Name + std::string(" ") + how);
+      EXPECT_EQ(results->GetValueByName(i, "fake_Status").ToString(), Planters[i].Status);
+      const double number = results->GetValueByName(i, "fake_number").ToDouble();
+      EXPECT_TRUE(Planters[i].Status == std::string("ok") ? number == 1.5 : std::isnan(number));
+    }
+  }
+  fs::remove_all(folder);
 }

@@ -64,6 +64,22 @@ TEST(SolverCommand, ProgramsAreFound)
   EXPECT_EQ(FindSolverProgram(self.filename().string(), folder), self);
 }
 
+// An answer for other arrays, or of an edited script, is not taken again.
+TEST(SolverCommand, TheFingerprintChangesWithArraysAndScripts)
+{
+  const std::filesystem::path script = TestFolder() / "s.py";
+  WriteBytes(script, "print(1)");
+  SolverDescription description;
+  description.Command = { "python3", script.string(), "{mesh}" };
+  const std::string first = SolverFingerprint(description);
+  EXPECT_EQ(SolverFingerprint(description), first);
+  WriteBytes(script, "print(12)");
+  const std::string second = SolverFingerprint(description);
+  EXPECT_NE(second, first);
+  description.Elements.push_back({ "ErrorL2", "Error" });
+  EXPECT_NE(SolverFingerprint(description), second);
+}
+
 TEST(SolverCommand, AsksForTheVersion)
 {
   SolverDescription description;

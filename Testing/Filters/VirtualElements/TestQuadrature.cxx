@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -39,7 +40,7 @@ double MonomialIntegral(int a, int b)
 double ErrorOfRule(std::size_t rule, int a, int b)
 {
   pemesh::TriangleIntegrals sums;
-  pemesh::TriangleIntegrator(1).ApplyRule(rule, UnitTriangle,
+  pemesh::TriangleIntegrator(1).ApplyRule(pemesh::TriangleRule(rule), false, UnitTriangle,
     AsIntegrand([a, b](double x, double y) { return std::pow(x, a) * std::pow(y, b); }), sums);
   return std::abs(sums.Value[0] / MonomialIntegral(a, b) - 1.0);
 }
@@ -105,20 +106,66 @@ TEST(Quadrature, SubdividesUntilASteepFunctionIsIntegrated)
 
 TEST(Quadrature, TheEmbeddedRulesHaveTheirDegrees)
 {
-  for (int a = 0; a <= 2; ++a)
+  const int degrees[] = { 2, 4, 6 };
+  for (std::size_t rule = 0; rule < pemesh::NumberOfTriangleRules; ++rule)
   {
-    for (int b = 0; a + b <= 2; ++b)
+    double worst = 0.0; // one degree further on
+    for (int a = 0; a <= degrees[rule] + 1; ++a)
     {
-      pemesh::TriangleIntegrals sums;
-      pemesh::TriangleIntegrator(1).ApplyRule(0, UnitTriangle,
-        AsIntegrand([a, b](double x, double y) { return std::pow(x, a) * std::pow(y, b); }), sums);
-      const double exact = MonomialIntegral(a, b);
-      EXPECT_NEAR(sums.SecondDegree[0] / exact, 1.0, 1.0e-14) << a << " " << b;
-      if (a + b <= 1)
+      for (int b = 0; a + b <= degrees[rule] + 1; ++b)
       {
-        EXPECT_NEAR(sums.FirstDegree[0] / exact, 1.0, 1.0e-14) << a << " " << b;
+        pemesh::TriangleIntegrals sums;
+        pemesh::TriangleIntegrator(1).ApplyRule(pemesh::TriangleRule(rule), true, UnitTriangle,
+          AsIntegrand([a, b](double x, double y) { return std::pow(x, a) * std::pow(y, b); }),
+          sums);
+        const double error = std::abs(sums.Embedded[0] / MonomialIntegral(a, b) - 1.0);
+        if (a + b <= degrees[rule])
+        {
+          EXPECT_LT(error, 1.0e-14) << rule << " " << a << " " << b;
+        }
+        worst = std::max(worst, error);
+        if (rule == 0 && a + b <= 1)
+        {
+          EXPECT_NEAR(sums.FirstDegree[0] / MonomialIntegral(a, b), 1.0, 1.0e-14) << a << " " << b;
+        }
       }
     }
+    EXPECT_GT(worst, 1.0e-4);
+  }
+}
+
+// The square of the error of a method of order k on a small triangle, (p^2, p of degree k + 1) and
+// a little more: the steps end without a cut, and are exact.
+TEST(Quadrature, SquaresOfErrorsOfEveryOrderAreIntegratedWithoutCuts)
+{
+  for (int order = 1; order <= 6; ++order)
+  {
+    const auto steps = pemesh::StepsForErrors(order);
+    const auto allowed = pemesh::DifferencesAllowed(1.0e-10, steps, 2 * order + 2);
+    int calls = 0;
+    const auto agree = [&](const auto& coarse, const auto& fine, double, std::size_t step)
+    {
+      EXPECT_GT(allowed[step], 0.0) << order;
+      return std::abs(coarse.Value[0] - fine.Value[0]) <= allowed[step] * fine.Absolute[0];
+    };
+    for (const double h : { 1.0e-4, 1.0e-3 })
+    {
+      double sum = 0.0;
+      pemesh::TriangleIntegrator(1, steps).Add(UnitTriangle,
+        [&](const PointBlock& points, IntegrandValues values)
+        {
+          ++calls;
+          for (std::size_t i = 0; i < PointBlockSize; ++i)
+          {
+            values[0][i] = std::pow(points.X[i], 2 * order + 2) * (1.0 + h * points.Y[i]);
+          }
+        },
+        agree, { &sum, 1 });
+      const double exact =
+        MonomialIntegral(2 * order + 2, 0) + h * MonomialIntegral(2 * order + 2, 1);
+      EXPECT_NEAR(sum / exact, 1.0, 1.0e-10) << order << " " << h;
+    }
+    EXPECT_LE(calls, 2 * 32) << order;
   }
 }
 
@@ -137,7 +184,7 @@ TEST(Quadrature, AnAllowedDifferenceLeavesTheErrorOfTheTolerance)
     }
     for (const double tolerance : { 1.0e-6, 1.0e-8, 1.0e-10 })
     {
-      const auto allowed = pemesh::DifferencesAllowed(tolerance);
+      const auto allowed = pemesh::DifferencesAllowed(tolerance, pemesh::GeneralSteps());
       const auto agree = [&](const auto& coarse, const auto& fine, double, std::size_t step)
       { return std::abs(coarse.Value[0] - fine.Value[0]) <= allowed[step] * fine.Absolute[0]; };
       const double value = Integrate(
@@ -157,9 +204,19 @@ TEST(Quadrature, WhatACoarseRuleDoesNotTakeIsNotComparedWithIt)
 
 TEST(Quadrature, EndsOnAFunctionThatJumps)
 {
-  const auto value = Integrate(
-    UnitTriangle, [](double x, double) { return x < 0.3 ? 1.0 : 0.0; }, Agree, 8);
-  EXPECT_NEAR(value, 0.3 - 0.045, 3.0e-3); // seven points do not see every corner
+  for (const double place : { 0.05, 0.15, 0.3, 0.47, 0.6, 0.8, 0.9 })
+  {
+    // Seven points do not see a corner: what is cut off there shrinks with every cut.
+    for (const auto& [cuts, tolerance] : { std::pair{ 1, 6.0e-3 }, { 3, 2.0e-3 } })
+    {
+      double value = 0.0;
+      pemesh::TriangleIntegrator(1, pemesh::GeneralSteps(), static_cast<std::size_t>(cuts))
+        .Add(UnitTriangle,
+          AsIntegrand([place = place](double x, double) { return x < place ? 1.0 : 0.0; }), Agree,
+          { &value, 1 }, 8);
+      EXPECT_NEAR(value, place - 0.5 * place * place, tolerance) << place << " " << cuts;
+    }
+  }
 }
 
 TEST(Quadrature, AClockwiseTriangleCountsNegative)

@@ -120,4 +120,40 @@ TEST(VirtualElementMesh, ClosedSurfacesAreRefused)
     HasSubstr("Element 3"));
 }
 
+// A square beside two halves of its right neighbour, in every direction; shared vertices are fine.
+TEST(VirtualElementMethodMesh, TJunctionsAreRefused)
+{
+  for (int turn = 0; turn < 8; ++turn)
+  {
+    const double angle = 0.7 * turn;
+    std::vector<pemesh::Point2> points{ { 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 }, { 2, 0 }, { 2, 1 },
+      { 1, 0.4 }, { 2, 0.4 } };
+    for (pemesh::Point2& p : points)
+    {
+      p = { 3.0 + std::cos(angle) * p.x - std::sin(angle) * p.y,
+        std::sin(angle) * p.x + std::cos(angle) * p.y };
+    }
+    EXPECT_THAT(WhyRefused(MakeMesh(points, { { 0, 1, 2, 3 }, { 1, 4, 7, 6 }, { 6, 7, 5, 2 } })),
+      HasSubstr("Vertex 6 lies on the edge between 1 and 2 of element 0"))
+      << turn;
+    EXPECT_EQ(WhyRefused(MakeMesh(points, { { 0, 1, 6, 2, 3 }, { 1, 4, 7, 6 }, { 6, 7, 5, 2 } })),
+      "accepted");
+  }
+}
+
+// The search is by rows of a grid: a long edge in any direction, and many short ones on it.
+TEST(VirtualElementMethodMesh, ATJunctionIsFoundWhereverItLies)
+{
+  for (int hanging = 1; hanging < 40; hanging += 3)
+  {
+    std::vector<pemesh::Point2> points{ { 0, 0 }, { 7, 3 }, { 2, 5 } };
+    std::vector<pemesh::IdList> elements{ { 0, 1, 2 } };
+    points.push_back({ 5, -4 });
+    const double t = hanging / 40.0;
+    points.push_back({ 7 * t, 3 * t });
+    elements.push_back({ 0, 3, 4 });
+    EXPECT_THAT(WhyRefused(MakeMesh(points, elements)), HasSubstr("Vertex 4 lies on")) << hanging;
+  }
+}
+
 } // namespace

@@ -18,6 +18,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -216,6 +217,53 @@ TEST(WellPosedness, BothTrianglesAreThoseOfTheSymmetricMatrix)
   EXPECT_EQ(full.Row, expected.Row);
   EXPECT_EQ(full.Value, expected.Value);
   EXPECT_FALSE(full.Symmetric);
+}
+
+// Formulas that are undefined in a part of the domain: at once, not after all subdivisions.
+TEST(WellPosedness, AnUndefinedSourceIsTold)
+{
+  pemesh::ProblemFormulas formulas;
+  formulas.Load = "log(x-0.5)";
+  formulas.Dirichlet = "0";
+  EXPECT_THAT(WhyRefused(pemesh::MakeLShapes(4), formulas), HasSubstr("not finite"));
+}
+
+// |x - 1/2| has a jump in its slope, and step(x - 1/3) one in its value, inside elements.
+TEST(WellPosedness, JumpsOfTheSourceAreSeen)
+{
+  for (const auto& [formula, exact] : { std::pair{ "step(x-0.31)", 0.69 },
+         { "abs(x-0.47)", 0.2509 }, { "exp(-1e4*((x-0.31)^2+(y-0.37)^2))", 3.14159265358979e-4 } })
+  {
+    pemesh::ProblemFormulas formulas;
+    formulas.Load = formula;
+    formulas.Dirichlet = "0";
+    formulas.Neumann = "1";
+    formulas.Reaction = "1";
+    // With pure Neumann data and c = 1 the mean of u_h is that of f.
+    pemesh::VirtualElementOptions options;
+    options.Load = pemesh::LoadProjection::SameDegree;
+    const auto mesh = pemesh::MakeTriangles(5, 0.3);
+    const VirtualElementResult result = SolveElliptic(mesh, EllipticProblem(formulas), options);
+    double mean = 0.0;
+    for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      mesh->GetPolys()->GetCellAtId(cell, size, ids);
+      double a[3];
+      double b[3];
+      double c[3];
+      mesh->GetPoint(ids[0], a);
+      mesh->GetPoint(ids[1], b);
+      mesh->GetPoint(ids[2], c);
+      const double area = 0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]));
+      for (int i = 0; i < 3; ++i)
+      {
+        mean += area / 3.0 * result.Solution[static_cast<std::size_t>(ids[i])];
+      }
+    }
+    EXPECT_NEAR(mean / exact, 1.0, 1.0e-3) << formula;
+  }
 }
 
 } // namespace
