@@ -23,6 +23,10 @@ Eigen::VectorXd Standardised(std::span<const double> sample)
 {
   Eigen::VectorXd values =
     Eigen::Map<const Eigen::VectorXd>(sample.data(), static_cast<Eigen::Index>(sample.size()));
+  if (values.size() == 0)
+  {
+    return values; // no row in which both columns are defined
+  }
   const double largest = values.cwiseAbs().maxCoeff();
   values /= largest > 0.0 ? largest : 1.0; // squares must not overflow
   values.array() -= values.mean();

@@ -29,6 +29,10 @@ Index IndexOf(std::size_t i)
 VectorXd Standardised(std::span<const double> sample)
 {
   VectorXd values = Eigen::Map<const VectorXd>(sample.data(), IndexOf(sample.size()));
+  if (values.size() == 0)
+  {
+    return values;
+  }
   const double largest = values.cwiseAbs().maxCoeff();
   values /= largest > 0.0 ? largest : 1.0;
   values.array() -= values.mean();

@@ -58,7 +58,9 @@ def make_solver(run, source):
     for name in ("order", "problem"):
         solver.SetOption(name, str(run[name]))
     for performance in description["performances"]:
-        solver.AddPerformance(performance["name"], performance.get("measured", False))
+        solver.AddPerformance(
+            performance["name"], performance.get("measured", False),
+            performance.get("may-be-undefined", False))
     solver.SetWorkDirectory(str(OUTPUT / "python-solver"))
     return solver
 
@@ -98,7 +100,7 @@ def main():
         for index, row in enumerate(rows):
             value = column.GetValue(index)
             if isinstance(value, str):
-                assert value == row[name], (name, index)
+                assert value == row[name], (name, index, value, row[name])
                 continue
             expected = float(row[name])
             both_missing = math.isnan(expected) and math.isnan(value)

@@ -56,7 +56,11 @@ protected:
     WriteFile(this->Folder / "solver.sh",
       "#!/bin/sh\n"
       "mesh=$(basename \"$1\")\n"
-      "echo \"$mesh\" $(awk '/^PPid/ {print $2}' /proc/$PPID/status) >> " +
+      "caller=$PPID\n" // above those that watch over the solver
+      "while [ $caller -gt 1 ] && [ \"$(cat /proc/$caller/comm)\" != pemesh ]; do\n"
+      "  caller=$(awk '/^PPid/ {print $2}' /proc/$caller/status)\n"
+      "done\n"
+      "echo \"$mesh\" $caller >> " +
         folder +
         "/calls\n"
         "env | grep -E '^(OMPI_COMM|PMIX|PMI)_' >> " +

@@ -101,6 +101,36 @@ bool CrossesByWinding(PolygonView polygon)
   return runsAlong || (numbers != std::set{ 0, 1 } && numbers != std::set{ -1, 0 });
 }
 
+/** How often the boundary passes through one point, at most. */
+int MostPassages(PolygonView polygon)
+{
+  int most = 0;
+  const std::size_t size = polygon.size();
+  bool runsAlong = false;
+  for (std::size_t i = 0; i < size; ++i)
+  {
+    const Point2& a = polygon[i];
+    const Point2& b = polygon[(i + 1) % size];
+    for (const double t : CutsOf(polygon, i, runsAlong))
+    {
+      const Point2 point = { a.x + t * (b.x - a.x), a.y + t * (b.y - a.y) };
+      int passages = 0;
+      for (std::size_t j = 0; j < size; ++j)
+      {
+        const Point2& c = polygon[j];
+        const Point2& d = polygon[(j + 1) % size];
+        const double length = std::hypot(d.x - c.x, d.y - c.y);
+        const double along =
+          ((point.x - c.x) * (d.x - c.x) + (point.y - c.y) * (d.y - c.y)) / length;
+        const bool isOn = std::abs(CrossOf(c, d, point)) < 1e-9 * length;
+        passages += isOn && along > -1e-9 && along < length - 1e-9 ? 1 : 0; // the end is the next's
+      }
+      most = std::max(most, passages);
+    }
+  }
+  return most;
+}
+
 } // namespace
 
 TEST(PolygonCrossings, BetweenVertices)
@@ -177,6 +207,10 @@ TEST(PolygonCrossings, OnAGridAgreeWithWindingNumbers)
     if (polygon.front() == polygon.back())
     {
       continue;
+    }
+    if (MostPassages(polygon) > 2)
+    {
+      continue; // three that cross in one point may wind around every other sector once
     }
     const bool expected = CrossesByWinding(polygon);
     ASSERT_EQ(HasCrossingEdges(polygon), expected) << trial;

@@ -325,3 +325,8 @@ TEST(PartialCorrelation, IsUndefinedWhereNothingIsLeft)
 }
 
 } // namespace
+
+TEST(PartialCorrelation, OfNoRowLeavesNothing)
+{
+  EXPECT_TRUE(pemesh::RegressionResiduals({}, { {}, {} }).empty());
+}
