@@ -22,10 +22,12 @@
 #include "TextFile.h"
 #include "VirtualElementOptions.h"
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <iterator>
 
 namespace
 {
@@ -121,8 +123,9 @@ void WriteAgglomerations(ProxyWriter& xml)
     xml.Parameters(rule.Parameters);
     if (rule.Metric != pemesh::RuleMetric::None)
     {
-      std::vector<std::string> metrics = pemesh::MetricNames();
-      metrics.insert(metrics.begin(), "");
+      std::vector<std::string> metrics = { "" };
+      std::ranges::copy_if(pemesh::MetricNames(), std::back_inserter(metrics),
+        [](const std::string& name) { return pemesh::FindElementMetric(name) != nullptr; });
       xml.Choice("Metric", "SetMetric", "", "", metrics, "empty: that of the rule");
     }
     xml.Integer("TargetNumberOfElements", "SetTargetNumberOfElements", 0, 0, 2147483647,
