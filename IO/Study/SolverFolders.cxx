@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "SolverDescriptionFile.h"
 
+#include "NumberText.h"
+
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 
 #include <dlfcn.h>
 
@@ -80,6 +83,16 @@ bool IsInside(const fs::path& file, const fs::path& folder)
     std::mismatch(full.begin(), full.end(), file.begin(), file.end()).first == full.end();
 }
 
+std::string ShowFolders(const std::vector<fs::path>& folders)
+{
+  std::string text;
+  for (const fs::path& folder : folders)
+  {
+    text += (text.empty() ? "\"" : ", \"") + folder.string() + "\"";
+  }
+  return text.empty() ? "no folder" : text;
+}
+
 } // namespace
 
 std::vector<fs::path> SolverFolders()
@@ -96,6 +109,78 @@ std::vector<fs::path> SolverFolders()
     }
   }
   return folders;
+}
+
+std::vector<FoundSolver> ListSolvers(const std::vector<fs::path>& folders)
+{
+  std::vector<FoundSolver> all;
+  std::set<std::string> seen;
+  for (const fs::path& folder : folders)
+  {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error))
+    {
+      if (entry->path().extension() == ".json")
+      {
+        files.push_back(entry->path());
+      }
+    }
+    std::sort(files.begin(), files.end());
+    for (const fs::path& file : files)
+    {
+      FoundSolver found;
+      found.File = file;
+      try
+      {
+        found.Description = ReadSolverDescription(file);
+      }
+      catch (const std::runtime_error& problem)
+      {
+        found.Description.Name = file.stem().string();
+        found.Error = problem.what();
+      }
+      if (seen.insert(found.Description.Name).second)
+      {
+        all.push_back(std::move(found));
+      }
+    }
+  }
+  std::sort(all.begin(), all.end(),
+    [](const FoundSolver& a, const FoundSolver& b)
+    {
+      const std::string& first = a.Description.Name;
+      const std::string& second = b.Description.Name;
+      return std::pair(first != BundledSolver, first) < std::pair(second != BundledSolver, second);
+    });
+  return all;
+}
+
+SolverDescription FindSolver(
+  const std::string& nameOrFile, const fs::path& base, const std::vector<fs::path>& folders)
+{
+  if (fs::path(nameOrFile).extension() == ".json")
+  {
+    return ReadSolverDescription((base / nameOrFile).lexically_normal());
+  }
+  std::vector<std::string> names;
+  for (const FoundSolver& found : ListSolvers(folders))
+  {
+    names.push_back(found.Description.Name);
+    if (found.Description.Name == nameOrFile)
+    {
+      if (!found.Error.empty())
+      {
+        throw std::runtime_error(found.Error);
+      }
+      return found.Description;
+    }
+  }
+  const std::string nearest = NearestWord(nameOrFile, names);
+  throw std::runtime_error("No solver is called \"" + nameOrFile + "\"" +
+    (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?") + " (looked in " +
+    ShowFolders(folders) + "; PEMESH_SOLVERS adds folders.)");
 }
 
 } // namespace pemesh
